@@ -12,8 +12,8 @@ onggi_library(assimp        OPTIONAL)  # content's helper: without it OBJ, PLY a
 onggi_library(PNG           DEBIAN libpng-dev)                            # textures
 onggi_library(JPEG          DEBIAN libjpeg-dev)                           # textures
 onggi_library(WEBP          MODULES libwebp DEBIAN libwebp-dev)           # textures
-onggi_library(ZSTD          MODULES libzstd DEBIAN libzstd-dev)           # textures
-onggi_library(nlohmann_json AT_LEAST 3.11 DEBIAN nlohmann-json3-dev)      # files, content, encoding's helper
+onggi_library(ZSTD          MODULES libzstd DEBIAN libzstd-dev)           # files, textures
+onggi_library(nlohmann_json AT_LEAST 3.11 DEBIAN nlohmann-json3-dev)      # files, content, souvenir, encoding's helper
 onggi_library(HIDAPI        MODULES hidapi-hidraw AT_LEAST 0.13 DEBIAN libhidapi-dev)  # device
 onggi_library(QRCODEGEN     MODULES qrcodegencpp DEBIAN libqrcodegencpp-dev)  # view
 onggi_library(glfw3         AT_LEAST 3.3  DEBIAN libglfw3-dev)            # render

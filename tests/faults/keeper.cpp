@@ -48,9 +48,6 @@ souvenir::Keepsake keepsake_of(int n) {
     all.postcard.rgba.push_back(static_cast<std::uint8_t>(k % 4 == 3 ? 255 : k * 7 / 3));
   all.caption = {"Moon jar", "A museum", "thrown by hand"};
   for (int k = 0; k < 9000; ++k) all.glb.push_back(static_cast<std::byte>(k * 31));
-  all.pot.positions = {
-      {0.0f, 0.0f, 0.0f}, {0.1f, 0.0f, 0.0f}, {0.0f, 0.1f, 0.0f}, {0.0f, 0.0f, 0.1f}};
-  all.pot.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   for (int k = 0; k < 5000; ++k) all.replay.push_back(static_cast<std::byte>(k * 17));
   return all;
 }

@@ -33,7 +33,7 @@ import tempfile
 import time
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
-FILES = ("postcard.png", "postcard.jpg", "pot.glb", "pot.stl", "visit.onggi")
+FILES = ("postcard.jpg", "pot.glb", "visit.onggi")
 TURNING = "turning.gif"  # follows the others: whole, or not there
 YEARS = 10 * 365 * 24 * 3600
 KINDS = ("EIO", "EIO+", "ENOSPC", "ENOSPC+", "EROFS+", "short", "kill", "killed", "gone",
@@ -125,10 +125,9 @@ STAND_IN = """#!/bin/sh
 read -r head
 cat > /dev/null
 case $head in
-  *'"jpeg"'*) exec cat '{folder}/postcard.jpg' ;;
   *'"gif"'*) exec cat '{folder}/turning.gif' ;;
 esac
-exec cat '{folder}/postcard.png'
+exec cat '{folder}/postcard.jpg'
 """
 
 

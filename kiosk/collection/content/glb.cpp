@@ -40,7 +40,10 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
 
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const std::vector<GlbPart>& parts,
-                                 const std::vector<std::array<float, 3>>& colors) {
+                                 const std::vector<std::array<float, 3>>& colors,
+                                 std::size_t index_bytes) {
+  // The greatest index of two bytes means something else (glTF 2.0, 3.7.2.1).
+  const bool brief = index_bytes == 2 && mesh.positions.size() <= 65535;
   const bool normals = mesh.normals.size() == mesh.positions.size() && !mesh.normals.empty();
 
   files::ByteWriter bin;
@@ -68,8 +71,9 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     from = bin.size();
   }
   for (const auto& t : mesh.triangles)
-    for (const std::uint32_t i : t) bin.u32(i);
+    for (const std::uint32_t i : t) brief ? bin.u16(static_cast<std::uint16_t>(i)) : bin.u32(i);
   view(from, kElementBuffer);
+  bin.pad(4, '\0');
   if (!colors.empty()) {
     from = bin.size();
     for (const auto& c : colors) {
@@ -101,10 +105,10 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
   // The first part's indices come before the colours, the others' after.
   const auto indices = [&](std::size_t part) {
     Json accessor = Json::object({{"bufferView", normals ? 2 : 1},
-                                  {"componentType", kUnsignedInt},
+                                  {"componentType", brief ? kUnsignedShort : kUnsignedInt},
                                   {"count", 3 * count(part)},
                                   {"type", "SCALAR"}});
-    if (part > 0) accessor["byteOffset"] = 12 * parts[part].first;
+    if (part > 0) accessor["byteOffset"] = (brief ? 6 : 12) * parts[part].first;
     accessors.push_back(accessor);
   };
   indices(0);

@@ -32,9 +32,11 @@ struct GlbPart {
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const GlbMaterial& material = {},
                                  const std::vector<std::array<float, 3>>& colors = {});
-/// The same with one material for each of `parts`; the first part begins at 0.
+/// The same with one material for each of `parts`; the first part begins at 0. Indices have
+/// `index_bytes`, 2 or 4; they have 4 where 2 cannot name every position.
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const std::vector<GlbPart>& parts,
-                                 const std::vector<std::array<float, 3>>& colors = {});
+                                 const std::vector<std::array<float, 3>>& colors = {},
+                                 std::size_t index_bytes = 4);
 
 }  // namespace onggi::content

@@ -116,7 +116,8 @@ const Setting kSettings[] = {
     {.table = "keepsake",
      .key = "quota_mb",
      .place = kIn<&Exhibit::keepsake, &Exhibit::Keepsake::quota_mb>,
-     .words = "above this, the oldest visits are removed, nothing else",
+     .words =
+         "above this, the oldest visits are removed, but none whose page is promised to a phone",
      .least = 10,
      .most = 1'000'000,
      .unit = "MB"},

@@ -22,27 +22,47 @@ Keeping::Keeping(const World& world, const std::filesystem::path& folder)
 void Keeping::look(double now) {
   keepsakes_.look(now);
   if (const auto untidy = keepsakes_.untidy()) files::log_problem(*untidy);
+  if (const auto crowded = keepsakes_.crowded(now)) files::log_problem(*crowded);
 }
 
 void Keeping::make(const screens::MakeKeepsake& wish, const screens::ShelfCard& card,
                    screens::Visit& visit) {
-  auto taken = take_home(wish, card, language_of(world_.languages, visit.language()),
-                         world_.exhibit, world_.wheel_host, world_.renderer, keepsakes_.token());
-  if (!taken) return visit.keepsake_failed(taken.error());
+  draw_rest();
+  auto taking = TakingHome::begin(wish, card, language_of(world_.languages, visit.language()),
+                                  world_.exhibit, world_.wheel_host, keepsakes_.token());
+  if (!taking) return visit.keepsake_failed(taking.error());
+  taking_ = std::move(*taking);
+  left_handed_ = visit.shown_on().left_handed;
+  made_ = wish.made;
+  kept_ = taking_->taken.visit;
+  kept_ticket_ = saving_ticket_ = 0;
+  draw_keepsake();
   if (postcard_ != 0) world_.renderer.drop_picture(postcard_);
-  postcard_ = world_.renderer.make_picture(taken->keepsake.postcard);
+  postcard_ = world_.renderer.make_picture(taking_->taken.keepsake.postcard);
   visit.show_postcard(postcard_);
-  const encoding::Caption caption = taken->keepsake.caption;
+}
+
+void Keeping::draw_keepsake() {
+  if (!taking_) return;
+  drew_ = true;
+  const ClayView& clay = world_.wheel_host.view().clay;
+  if (taking_->draw_next(world_.exhibit, clay, world_.renderer)) return;
+  TakenHome taken = std::move(taking_->taken);
+  taking_.reset();
+  const encoding::Caption caption = taken.keepsake.caption;
   // The clay names the pot, so that a scripted visit has the same pictures each time.
   kept_ticket_ = saving_ticket_ =
-      keepsakes_.save(std::move(taken->keepsake), taken->visit.state_hash);
+      keepsakes_.save(std::move(taken.keepsake), taken.visit.state_hash);
   if (world_.exhibit.keepsake.turning)
-    turning_.begin(saving_ticket_, caption, wish.made, taken->glazing,
-                   world_.wheel_host.view().clay, visit.shown_on().left_handed);
-  kept_ = std::move(taken->visit);
+    turning_.begin(saving_ticket_, caption, made_, taken.glazing, clay, left_handed_);
+}
+
+void Keeping::draw_rest() {
+  while (taking_) draw_keepsake();
 }
 
 void Keeping::forget(const screens::VisitEnded& wish, const std::string& vessel) {
+  draw_rest();
   // Counted first: the ticket says which save the visit waits for.
   if (world_.counter && wish.notes) world_.counter->visit_over(*wish.notes, vessel, saving_ticket_);
   world_.wheel_host.stop_recording();
@@ -84,12 +104,13 @@ void Keeping::tell(const Keepsakes::Finished& save, screens::Visit& visit) {
 }
 
 void Keeping::draw_turning(const view::Frame& shown) {
-  if (shown.fade > 0) return;
+  if (std::exchange(drew_, false) || shown.fade > 0) return;
   auto drawn = turning_.draw(world_.wheel_host.view().clay, world_.renderer);
   if (drawn) keepsakes_.add(drawn->ticket, std::move(drawn->turning), std::move(drawn->caption));
 }
 
 void Keeping::finish(screens::Visit& visit) {
+  draw_rest();
   keepsakes_.wait();
   while (keepsakes_.busy() || keepsakes_.adding()) collect(visit);
   // Last: a visit that waits for its save is counted as kept only once the save is told.

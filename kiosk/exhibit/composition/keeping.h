@@ -43,7 +43,8 @@ class Keeping {
   };
   Keeping(const World& world, const std::filesystem::path& folder);
 
-  /// Once a frame, first of all: tidies the folder when that is due. `now` in seconds.
+  /// Once a frame, first of all: tidies the folder when that is due, and logs what staff must know
+  /// of it. `now` in seconds.
   void look(double now);
   /// The visitor keeps the pot that answers `card`: a postcard for the screen, and a save that
   /// begins.
@@ -52,24 +53,33 @@ class Keeping {
   /// The visit is over: it is counted with its save, and its postcard is dropped. `vessel`: its
   /// name on the shelf, "" where none was chosen.
   void forget(const screens::VisitEnded& wish, const std::string& vessel);
+  /// Once a frame, after the clay was uploaded: one more picture of the keepsake that is being
+  /// made, so that no frame draws two. The save begins after the last one.
+  void draw_keepsake();
+  /// The clay on the wheel is about to change: draws all that is left at once.
+  void draw_rest();
   /// Takes what workers have finished, and tells the gallery, the count of visits and the visitor,
   /// in this order. The visitor is told of their own save alone.
   void collect(screens::Visit& visit);
-  /// One more picture of the turning pot, while no screen fades into another: `shown` is the frame
-  /// that was just made, of the same clay.
+  /// One more picture of the turning pot, unless this frame drew one of a keepsake, and while no
+  /// screen fades into another: `shown` is the frame that was just made, of the same clay.
   void draw_turning(const view::Frame& shown);
   /// Waits for every save, and for the count of visits. Draws nothing. Call once, at the end.
   void finish(screens::Visit& visit);
-  /// The screen is lost, and with it the postcard's picture.
-  void lose_screen() { postcard_ = 0; }
+  /// The screen is lost, and with it the postcard's picture and what was not drawn yet.
+  void lose_screen() {
+    postcard_ = 0;
+    taking_.reset();
+  }
 
   const std::optional<KeptVisit>& kept() const { return kept_; }
-  /// A save is under way.
-  bool saving() const { return keepsakes_.busy(); }
+  /// A keepsake is being drawn or saved.
+  bool saving() const { return taking_ || keepsakes_.busy(); }
   /// A turning picture is being written.
   bool adding() const { return keepsakes_.adding(); }
   /// A turning picture is being drawn or written. It comes after its save, and nobody need wait.
   bool turning() const { return turning_.drawing() || adding(); }
+  std::optional<souvenir::Room> room() const { return keepsakes_.room(); }
   const SavedCount& saved() const { return saved_; }
   const std::filesystem::path& folder() const { return keepsakes_.folder(); }
 
@@ -78,6 +88,10 @@ class Keeping {
 
   World world_;
   Keepsakes keepsakes_;
+  std::optional<TakingHome> taking_;
+  bool left_handed_ = false;  ///< Its visitor's wheel,
+  Profile made_;              ///< and pot.
+  bool drew_ = false;         ///< A picture of a keepsake, in this frame.
   TurntableRecorder turning_;
   view::PictureId postcard_ = 0;
   std::optional<KeptVisit> kept_;

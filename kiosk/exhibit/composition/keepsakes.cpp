@@ -41,6 +41,7 @@ Keepsakes::Keepsakes(std::filesystem::path folder, souvenir::KeepsakeLimits limi
 Keepsakes::~Keepsakes() {
   wait();
   if (tidying_.valid()) tidying_.wait();
+  if (looking_.valid()) looking_.wait();
 }
 
 void Keepsakes::wait() const {
@@ -49,7 +50,10 @@ void Keepsakes::wait() const {
 }
 
 std::string Keepsakes::token() const {
-  if (phone_hours_ <= 0.0 || !souvenir::Passes(folder_).served(std::time(nullptr))) return {};
+  const auto known = room();
+  if (phone_hours_ <= 0.0 || (known && !known->for_a_page()) ||
+      !souvenir::Passes(folder_).served(std::time(nullptr)))
+    return {};
   return souvenir::Passes::new_token().value_or("");
 }
 
@@ -66,7 +70,9 @@ int Keepsakes::save(souvenir::Keepsake keepsake, std::uint64_t name_seed) {
         souvenir::Keepsake mine = std::move(kept);
         const std::lock_guard one_at_a_time(folder_in_use_);
         if (namer_) mine.spoken = namer_(name_seed, spoken_in(folder_));
-        return Finished{ticket, souvenir::save(mine, folder_, limits_)};
+        Finished done{ticket, souvenir::save(mine, folder_, limits_)};
+        look_for_room();
+        return done;
       }).share());
   last_save_ = {ticket, saving_.back()};
   return ticket;
@@ -101,7 +107,37 @@ std::optional<Keepsakes::Added> Keepsakes::added() {
   return added;
 }
 
+void Keepsakes::look_for_room() {
+  if (phone_hours_ <= 0.0) return;
+  const souvenir::Room found = souvenir::room_in(folder_, limits_, files::wall_now());
+  const std::lock_guard lock(room_in_use_);
+  room_ = found;
+}
+
+std::optional<souvenir::Room> Keepsakes::room() const {
+  const std::lock_guard lock(room_in_use_);
+  return room_;
+}
+
+std::optional<Problem> Keepsakes::crowded(double now) {
+  const auto known = room();
+  if (!known) return std::nullopt;
+  const bool last = !known->for_a_page();
+  if (warned_at_ && now - *warned_at_ < kTidy && (warned_of_last_ || !last)) return std::nullopt;
+  auto warning = souvenir::warning_of(*known, phone_hours_);
+  if (warning) warned_at_ = now, warned_of_last_ = last;
+  return warning;
+}
+
 void Keepsakes::look(double now) {
+  // Pages end by themselves, and visitors delete theirs.
+  if (phone_hours_ > 0.0 && (!looked_at_ || now - *looked_at_ >= kRoom)) {
+    looked_at_ = now;
+    looking_ = std::async(std::launch::async, [this, last = std::move(looking_)]() mutable {
+      if (last.valid()) last.get();
+      look_for_room();
+    });
+  }
   if (tidied_at_ && now - *tidied_at_ < kTidy) return;
   tidied_at_ = now;
   std::shared_future<Finished> before;

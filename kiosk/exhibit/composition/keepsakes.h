@@ -13,6 +13,7 @@
 
 #include "engine/base/result.h"
 #include "kiosk/keepsake/souvenir/keepsake.h"
+#include "kiosk/keepsake/souvenir/room.h"
 #include "kiosk/keepsake/souvenir/turning.h"
 
 namespace onggi::exhibit {
@@ -24,6 +25,7 @@ namespace onggi::exhibit {
 class Keepsakes {
  public:
   static constexpr double kTidy = 24 * 3600.0;  ///< s
+  static constexpr double kRoom = 600.0;        ///< s, between two looks at the room for pages
 
   /// The id of a name that is not in `taken`, the same for the same `seed`; called on the worker.
   using Namer = std::function<std::string(std::uint64_t seed, const std::set<std::string>& taken)>;
@@ -33,8 +35,8 @@ class Keepsakes {
             Namer namer = {});
   ~Keepsakes();
 
-  /// A token for the next keepsake's QR code; "" if phones may not fetch it or nobody answers them
-  /// now.
+  /// A token for the next keepsake's QR code; "" if phones may not fetch it, nobody answers them
+  /// now, or the quota has no room for one more that is promised.
   std::string token() const;
   /// Begins a save; returns its ticket (> 0) for finished(). `name_seed`: for the namer.
   int save(souvenir::Keepsake keepsake, std::uint64_t name_seed = 0);
@@ -60,11 +62,17 @@ class Keepsakes {
   void wait() const;
   /// Once a frame. `now` in seconds on a clock that never goes back.
   void look(double now);
+  /// The room for pages when it was last looked at.
+  std::optional<souvenir::Room> room() const;
+  /// What staff must know of it (souvenir::warning_of), once a day, and at once when it is used up.
+  std::optional<Problem> crowded(double now);
   /// The Problem of the last tidying, once.
   std::optional<Problem> untidy();
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
+  void look_for_room();  ///< A worker's.
+
   std::filesystem::path folder_;
   souvenir::KeepsakeLimits limits_;
   double phone_hours_;
@@ -76,7 +84,11 @@ class Keepsakes {
   std::vector<std::future<Added>> adding_;
   std::mutex folder_in_use_;  ///< One worker at a time writes there; pictures are encoded before.
   std::shared_future<Result<void>> tidying_;
-  std::optional<double> tidied_at_;
+  std::optional<double> tidied_at_, looked_at_, warned_at_;
+  bool warned_of_last_ = false;  ///< There was no page left to promise.
+  mutable std::mutex room_in_use_;
+  std::optional<souvenir::Room> room_;
+  std::future<void> looking_;
   bool told_ = false;  ///< The result of tidying_ was reported.
 };
 

@@ -116,6 +116,7 @@ Doing Kiosk::doing() const {
           .saving = keeping_->saving(),
           .turning = keeping_->turning(),
           .saved = keeping_->saved(),
+          .room = keeping_->room(),
           .keepsake_folder = keeping_->folder(),
           .kept = keeping_->kept() ? &*keeping_->kept() : nullptr,
           .pot = pot_->def(),
@@ -293,6 +294,7 @@ bool Kiosk::frame(double now, bool draw) {
   pot_->log_faults();
   renderer_->update_clay(wheel_host_->view().clay);
   keeping_->collect(*visit_);
+  keeping_->draw_keepsake();
   if (todays_) todays_->look(now, *renderer_, stepped_ != nullptr);
   visit_->update(now);
   while (auto request = visit_->take_request())
@@ -334,6 +336,7 @@ void Kiosk::put_pot() {
   if (!pot_->made()) return;
   const screens::ShelfCard* wanted = card(pot_->wished_card());
   if (wanted == nullptr) return;
+  keeping_->draw_rest();
   if (const auto put = pot_->put(*wanted); !put) {
     files::log_problem(put.error());
     visit_->fail(put.error());

@@ -61,9 +61,10 @@ struct Doing {
   bool open_to_visitors;  ///< A vessel of the shelf is read, and attract has begun.
   bool nobody_is_here;    ///< True in attract with no save pending: safe to close or reload.
   bool dark;              ///< Outside of the museum's hours, and nobody is here.
-  bool saving;            ///< A keepsake is being saved.
+  bool saving;            ///< A keepsake is being drawn or saved.
   bool turning;  ///< A turntable GIF is being drawn or saved. Optional: callers need not wait.
   const SavedCount& saved;
+  std::optional<souvenir::Room> room;  ///< For phones' pages, if they have some.
   const std::filesystem::path& keepsake_folder;
   const KeptVisit* kept;  ///< The last kept visit; null: none.
   const SceneDef& pot;    ///< The scene of the pot on the wheel.

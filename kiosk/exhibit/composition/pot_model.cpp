@@ -46,7 +46,7 @@ std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<vie
     parts.push_back({sorted.triangles.size(), {name, factor, mean}});
     sorted.triangles.insert(sorted.triangles.end(), coat.triangles.begin(), coat.triangles.end());
   }
-  return content::write_glb(sorted, title, copyright, parts, colors);
+  return content::write_glb(sorted, title, copyright, parts, colors, 2);
 }
 
 }  // namespace onggi::exhibit

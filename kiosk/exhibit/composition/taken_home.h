@@ -10,6 +10,7 @@
 #include "kiosk/collection/score/score.h"
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/keepsake/souvenir/keepsake.h"
+#include "kiosk/keepsake/souvenir/postcard.h"
 #include "kiosk/picture/render/renderer.h"
 #include "kiosk/visit/screens/visit.h"
 #include "kiosk/wheel/loop/wheel_host.h"
@@ -37,13 +38,33 @@ struct TakenHome {
   std::optional<view::Glazing> glazing;  ///< Absent: not fired.
 };
 
-/// Makes the keepsake of the pot on the wheel, which answers the vessel of `card`: its mesh (fired
-/// if `request` says so), its replay, and its postcard, drawn by `renderer` in `language`; with a
-/// `token` (Keepsakes::token()) also the postcard with its QR code. Problem (exit 1) if the wheel
-/// does not return the clay. Main thread.
-Result<TakenHome> take_home(const screens::MakeKeepsake& request, const screens::ShelfCard& card,
-                            const content::Language& language, const settings::Exhibit& exhibit,
-                            loop::WheelHost& wheel_host, render::Renderer& renderer,
-                            const std::string& token);
+/// Makes the keepsake of the pot on the wheel, one picture at a time, because each may take a
+/// frame's time. The wheel must rest and the clay stay shown until the last one. Main thread.
+class TakingHome {
+ public:
+  /// `card`: what the pot answers; `language`: of the words; with a `token` (Keepsakes::token())
+  /// there is a second postcard, with its QR code. Problem (exit 1) if the wheel does not return
+  /// the clay.
+  static Result<TakingHome> begin(const screens::MakeKeepsake& request,
+                                  const screens::ShelfCard& card, const content::Language& language,
+                                  const settings::Exhibit& exhibit, loop::WheelHost& wheel_host,
+                                  const std::string& token);
+  /// Draws the next picture: the postcard first, the pot's model (fired if the request says so)
+  /// last. False once all are drawn.
+  bool draw_next(const settings::Exhibit& exhibit, const ClayView& clay,
+                 render::Renderer& renderer);
+  /// Complete when draw_next() has returned false.
+  TakenHome taken;
+
+ private:
+  TakingHome() = default;
+
+  enum class Next { postcard, phone_card, small, model, nothing };
+  Next next_ = Next::postcard;
+  souvenir::PostcardWords words_;
+  std::string phone_address_;
+  Profile made_, target_;
+  double size_ = 1.0;  ///< Of the model; the clay has 1.
+};
 
 }  // namespace onggi::exhibit

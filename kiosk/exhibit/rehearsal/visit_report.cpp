@@ -27,7 +27,7 @@ std::vector<std::string> files_of(const exhibit::KeptVisit& kept) {
   std::vector<std::string> files;
   if (!kept.saved || !*kept.saved) return files;
   const souvenir::KeepsakeFiles& saved = **kept.saved;
-  for (const auto& file : {saved.png, saved.jpeg, saved.glb, saved.stl, saved.replay})
+  for (const auto& file : {saved.postcard, saved.print, saved.glb, saved.replay})
     if (!file.empty()) files.push_back(file.string());
   if (kept.turning && *kept.turning) files.push_back((*kept.turning)->string());
   return files;

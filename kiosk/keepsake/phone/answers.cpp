@@ -20,7 +20,7 @@ struct File {
   const char* type;
   bool saved;
 };
-constexpr File kFiles[] = {{souvenir::kPostcardJpeg, "image/jpeg", false},
+constexpr File kFiles[] = {{souvenir::kPostcard, "image/jpeg", false},
                            {souvenir::kTurning, "image/gif", false},
                            {souvenir::kPotGlb, "model/gltf-binary", false},
                            {souvenir::kPotStl, "model/stl", true}};

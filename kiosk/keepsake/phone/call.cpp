@@ -107,9 +107,10 @@ void Call::answer() {
   // HEAD asks for the head of the answer to GET.
   const bool content = ask.method != "HEAD";
   if (content) text += given.body;
-  files::Descriptor file;
-  if (given.file) file = std::move(given.file->file);
-  sending_.emplace(std::move(text), std::move(file), content ? given.span : Span{});
+  souvenir::KeepsakeFile file;
+  if (given.file) file = std::move(*given.file);
+  sending_.emplace(std::move(text), std::move(file.file), content ? given.span : Span{},
+                   std::move(file.stl));
   error_code error;
   socket_.native_non_blocking(true, error);
   keep_small(socket_.native_handle());

@@ -8,6 +8,7 @@
 #include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/phone/server.h"
 #include "kiosk/keepsake/souvenir/pass.h"
+#include "kiosk/keepsake/souvenir/stl.h"
 
 namespace {
 
@@ -15,13 +16,15 @@ constexpr const char* kHelp =
     "onggi-console: serves visitors' keepsakes to their phones. The kiosk plays without it.\n\n"
     "Usage: onggi-console --phone-only --keepsakes DIR [--listen 127.0.0.1:8080]\n"
     "                     [--languages content/languages]\n"
-    "       onggi-console --pass DIR/VISIT [--hours 24]   prints the path of a new page\n\n"
+    "       onggi-console --pass DIR/VISIT [--hours 24]   prints the path of a new page\n"
+    "       onggi-console --stl DIR/VISIT [--to pot.stl]  writes the pot for a 3D printer\n\n"
     "Example: onggi-console --phone-only --keepsakes /srv/onggi/keepsakes --listen "
     "192.168.4.1:8080\n"
     "Exit: 0 success, 1 a fault of the machine, 2 a mistake in the input.\n";
 
 struct Arguments {
-  std::string keepsakes, listen = "127.0.0.1:8080", pass, hours = "24", languages;
+  std::string keepsakes, listen = "127.0.0.1:8080", pass, hours = "24", languages, stl,
+                         to = "pot.stl";
   bool phone_only = false, help = false;
 };
 
@@ -42,6 +45,8 @@ onggi::Result<Arguments> read(int count, char** values) {
                          : name == "--pass"      ? &a.pass
                          : name == "--hours"     ? &a.hours
                          : name == "--languages" ? &a.languages
+                         : name == "--stl"       ? &a.stl
+                         : name == "--to"        ? &a.to
                                                  : nullptr;
     if (field == nullptr || n + 1 == count)
       return onggi::problem(
@@ -62,6 +67,13 @@ onggi::Result<int> give(const Arguments& a) {
   const auto pass = onggi::souvenir::Passes::give_at_the_desk(a.pass, std::time(nullptr), hours);
   if (!pass) return tl::unexpected(pass.error());
   std::cout << "/k/" << pass->token << '\n';
+  return 0;
+}
+
+onggi::Result<int> print(const Arguments& a) {
+  if (const auto written = onggi::souvenir::write_stl(a.stl, a.to); !written)
+    return tl::unexpected(written.error());
+  std::cout << a.to << '\n';
   return 0;
 }
 
@@ -118,6 +130,8 @@ int main(int count, char** values) {
     std::cout << kHelp;
   else if (!arguments->pass.empty())
     done = give(*arguments);
+  else if (!arguments->stl.empty())
+    done = print(*arguments);
   else if (arguments->phone_only)
     done = serve(*arguments);
   else

@@ -7,8 +7,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/asio/ip/tcp.hpp>
 #include <cerrno>
+#include <span>
 
 namespace onggi::phone {
 
@@ -22,22 +24,30 @@ bool full(int error) { return error == EAGAIN || error == EWOULDBLOCK || error =
 }  // namespace
 
 Sending::Step Sending::step(int socket) {
-  ssize_t n = 0;
+  std::int64_t n = 0;
   if (said_ < text_.size()) {
     n = ::send(socket, text_.data() + said_, std::min(text_.size() - said_, kPiece),
                MSG_NOSIGNAL | MSG_DONTWAIT | (left_ > 0 ? MSG_MORE : 0));
     if (n > 0) said_ += static_cast<std::size_t>(n);
     if (said_ == text_.size()) std::string().swap(text_), said_ = 0;
   } else if (left_ > 0) {
-    auto at = static_cast<off_t>(at_);
-    n = ::sendfile(socket, file_.get(), &at,
-                   static_cast<std::size_t>(std::min<std::uint64_t>(left_, kPiece)));
+    n = send_part(socket);
     if (n == 0) return Step::broken;
     if (n > 0) at_ += static_cast<std::uint64_t>(n), left_ -= static_cast<std::uint64_t>(n);
   }
   if (n < 0) return full(errno) ? Step::more : Step::broken;
   given_ += static_cast<std::uint64_t>(n);
   return text_.empty() && left_ == 0 ? Step::all : Step::more;
+}
+
+/// Bytes that the socket took; 0 if the file is shorter than it was, below 0 with errno set.
+std::int64_t Sending::send_part(int socket) {
+  const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(left_, kPiece));
+  auto at = static_cast<off_t>(at_);
+  if (!stl_) return ::sendfile(socket, file_.get(), &at, size);
+  std::array<std::byte, kPiece> piece;
+  if (!stl_->read(file_, at_, std::span(piece).first(size))) return 0;
+  return ::send(socket, piece.data(), size, MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
 bool Sending::deleted() const {

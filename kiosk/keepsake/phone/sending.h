@@ -8,18 +8,25 @@
 
 #include "kiosk/ground/files/descriptor.h"
 #include "kiosk/keepsake/phone/byte_range.h"
+#include "kiosk/keepsake/souvenir/stl.h"
 
 namespace onggi::phone {
 
 /// An answer on its way into a socket: text, then part of a file. The file's bytes go from the
-/// disk's cache to the socket (sendfile) and are never in this process. One thread.
+/// disk's cache to the socket (sendfile) and are never in this process; an STL is made a piece at a
+/// time. One thread.
 class Sending {
  public:
   /// Bytes of one step(), at most: phones take turns.
   static constexpr std::size_t kPiece = 16384;
 
-  Sending(std::string text, files::Descriptor file, Span span)
-      : text_(std::move(text)), file_(std::move(file)), at_(span.from), left_(span.length) {}
+  Sending(std::string text, files::Descriptor file, Span span,
+          std::optional<souvenir::StlOfPot> stl = {})
+      : text_(std::move(text)),
+        file_(std::move(file)),
+        stl_(std::move(stl)),
+        at_(span.from),
+        left_(span.length) {}
 
   enum class Step {
     more,    ///< Wait until the socket takes more.
@@ -36,10 +43,13 @@ class Sending {
   std::size_t held() const { return text_.capacity(); }
 
  private:
+  std::int64_t send_part(int socket);
+
   std::string text_;
   std::size_t said_ = 0;  // bytes of text_
   files::Descriptor file_;
-  std::uint64_t at_, left_;  // of the file
+  std::optional<souvenir::StlOfPot> stl_;  // of that file
+  std::uint64_t at_, left_;                // of what is sent
   std::uint64_t given_ = 0;
 };
 

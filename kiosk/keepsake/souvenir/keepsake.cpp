@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/zstandard.h"
 #include "kiosk/keepsake/souvenir/pass.h"
-#include "kiosk/keepsake/souvenir/stl.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
 namespace onggi::souvenir {
@@ -68,20 +68,25 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
                    "This is a fault of the program: report it with the log.", 1);
   }
   // Encode first, so that a failure here has not touched the disk.
-  auto png = encoding::encode(keepsake.phone ? keepsake.phone->card : keepsake.postcard,
-                              encoding::Format::png, keepsake.caption);
-  if (!png) return tl::unexpected(png.error());
-  auto jpeg = encoding::encode(keepsake.postcard, encoding::Format::jpeg, keepsake.caption);
-  if (!jpeg) return tl::unexpected(jpeg.error());
+  using Picture = Result<std::vector<std::byte>>;
+  const auto encoded = [&](const view::Image& image, const encoding::Caption& caption) {
+    return encoding::encode(image, encoding::Format::jpeg, caption);
+  };
+  const Picture postcard = encoded(keepsake.postcard, keepsake.caption);
+  if (!postcard) return tl::unexpected(postcard.error());
+  const Picture print = keepsake.phone ? encoded(keepsake.phone->card, keepsake.caption)
+                                       : Picture(std::vector<std::byte>());
+  if (!print) return tl::unexpected(print.error());
   std::vector<std::byte> small;
   if (keepsake.small) {
-    auto picture = encoding::encode(keepsake.small->picture, encoding::Format::jpeg, {});
+    auto picture = encoded(keepsake.small->picture, {});
     if (!picture) return tl::unexpected(picture.error());
     small = std::move(*picture);
   }
   const std::string shown = keepsake.small ? text_of(*keepsake.small) : std::string();
   const std::string spoken = keepsake.spoken.empty() ? std::string() : keepsake.spoken + '\n';
-  const std::vector<std::byte> stl = write_stl(keepsake.pot, keepsake.caption.title);
+  const std::vector<std::byte> replay =
+      keepsake.replay.empty() ? keepsake.replay : files::packed(keepsake.replay);
 
   if (auto made = files::make_folder(folder); !made) return tl::unexpected(made.error());
   const auto name = take_name(folder, wanted);
@@ -92,12 +97,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
   files.folder = folder / *name;
   files.spoken = keepsake.spoken;
   GivenPass given(folder);
-  if (keepsake.phone) {
-    files.token = given.give(*name, *keepsake.phone);
-    if (files.token.empty())
-      png = encoding::encode(keepsake.postcard, encoding::Format::png, keepsake.caption);
-    if (!png) return tl::unexpected(png.error());
-  }
+  if (keepsake.phone) files.token = given.give(*name, *keepsake.phone);
   const auto write = [&](fs::path& path, const char* file,
                          std::span<const std::byte> bytes) -> Result<void> {
     if (bytes.empty()) return {};
@@ -105,13 +105,13 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
     return files::write_durably(partial.path() / file, bytes);
   };
   fs::path unnamed;
-  const bool has_pot = !keepsake.pot.triangles.empty();
+  // A code that leads nowhere is not printed.
+  const std::vector<std::byte> nothing;
   for (const Result<void>& written :
-       {write(files.png, kPostcardPng, *png), write(files.jpeg, kPostcardJpeg, *jpeg),
-        write(files.glb, kPotGlb, keepsake.glb),
-        write(files.stl, kPotStl, has_pot ? std::span(stl) : std::span<const std::byte>()),
-        write(files.replay, kReplay, keepsake.replay), write(unnamed, kSmall, small),
-        write(unnamed, kShown, std::as_bytes(std::span(shown))),
+       {write(files.postcard, kPostcard, *postcard),
+        write(files.print, kPrint, files.token.empty() ? nothing : *print),
+        write(files.glb, kPotGlb, keepsake.glb), write(files.replay, kReplay, replay),
+        write(unnamed, kSmall, small), write(unnamed, kShown, std::as_bytes(std::span(shown))),
         write(unnamed, kSpoken, std::as_bytes(std::span(spoken)))}) {
     if (!written) return tl::unexpected(written.error());
   }

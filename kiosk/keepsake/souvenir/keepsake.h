@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "engine/profile/mesh.h"
 #include "kiosk/ground/files/wall_clock.h"
 #include "kiosk/keepsake/souvenir/small_pot.h"
 #include "kiosk/picture/encoding/encode.h"
@@ -21,7 +20,7 @@ struct ByPhone {
   std::string token;     ///< Passes::new_token(); in the code on `card`.
   double hours = 24.0;   ///< Hours that it is valid.
   std::string language;  ///< Language code of the visit.
-  view::Image card;      ///< The postcard with the code, for printing.
+  view::Image card;      ///< The postcard with the code, for the desk's printer.
 };
 
 /// All files that a visitor gets from one visit.
@@ -32,7 +31,6 @@ struct Keepsake {
   view::Image postcard;  ///< 1500 x 2100; without the code of the visitor's page.
   encoding::Caption caption;
   std::vector<std::byte> glb;     ///< Made by content::write_glb.
-  TriangleMesh pot;               ///< For the STL, metres (written in millimetres).
   std::vector<std::byte> replay;  ///< May be empty.
   std::string spoken{};           ///< The id of its name (content::KeepsakeNames); "": none.
   /// For the gallery of today's pots; absent: not shown there.
@@ -43,7 +41,7 @@ struct Keepsake {
 /// The paths of the files. A path is empty if nothing was written.
 struct KeepsakeFiles {
   std::filesystem::path folder;
-  std::filesystem::path png, jpeg, glb, stl, replay;
+  std::filesystem::path postcard, print, glb, replay;
   std::string spoken{};  ///< As Keepsake's.
   std::string token{};   ///< Token of its pass; "": no phone can fetch it.
 };
@@ -55,15 +53,16 @@ struct KeepsakeLimits {
   int days = 0;
 };
 
-/// Writes `<folder>/<name>/{postcard.png,postcard.jpg,pot.glb,pot.stl,visit.onggi,name.txt}` and,
-/// for the gallery, small.jpg and pot.txt. Then it tidies, but never removes the visit just
-/// written; Problems of tidy() are dropped here and come back at its next call. A visit is complete
-/// or absent even after a power cut, because it is written as `<name>.partial` and then renamed.
-/// Only folders that save() wrote are ever removed. On a Problem (exit 1) nothing unfinished is
-/// left. Blocks (worker thread); not twice at once for the same folder. With `keepsake.phone` the
-/// pass is created just before the folder is complete, and it is valid from then on. postcard.png
-/// has the code only if the pass exists. postcard.jpg, which goes to the phone and may be passed
-/// on, never has the code, because the code allows deleting.
+/// Writes `<folder>/<name>/{postcard.jpg,pot.glb,visit.onggi,name.txt}`, the replay packed
+/// (files::packed()), print.jpg for a phone's visitor, and for the gallery small.jpg and
+/// pot.txt. Then it tidies, but never removes the visit just written;
+/// Problems of tidy() are dropped here and come back at its next call. A visit is complete or
+/// absent even after a power cut, because it is written as `<name>.partial` and then renamed. Only
+/// folders that save() wrote are ever removed. On a Problem (exit 1) nothing unfinished is left.
+/// Blocks (worker thread); not twice at once for the same folder. With `keepsake.phone` the pass is
+/// created just before the folder is complete, and it is valid from then on; print.jpg is written
+/// only if the pass exists. postcard.jpg, which goes to the phone and may be passed on, never has
+/// the code, because the code allows deleting.
 Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path& folder,
                            const KeepsakeLimits& limits);
 

@@ -25,7 +25,6 @@ namespace onggi::souvenir {
 namespace {
 
 constexpr std::uint64_t kMostOfAKeepsake = 256u << 20;
-constexpr std::int64_t kClockBack = 24 * 3600;  // s
 // A change so soon after another may leave the folder the same time: the system's clock for files
 // goes in steps of 10 ms at most, and some disks keep whole seconds, or every second one.
 constexpr std::int64_t kFineStep = 100'000'000, kCoarseStep = 2'000'000'000;  // ns
@@ -40,10 +39,6 @@ bool is_settled(const timespec& changed, const timespec& listed) {
   const std::int64_t step = changed.tv_nsec == 0 ? kCoarseStep : kFineStep;
   // A time from the future is no trouble: a change would set it to now.
   return ago > step || ago < -step;
-}
-
-bool in_time(const Pass& pass, std::int64_t now) {
-  return now < pass.until && now > pass.from - kClockBack;
 }
 
 }  // namespace
@@ -127,12 +122,24 @@ std::optional<Pass> OpenPasses::find(std::string_view token, std::int64_t now, W
 
 std::optional<KeepsakeFile> OpenPasses::open_file(const Pass& pass, const char* name) const {
   auto opened = files::open_beneath(keepsakes_, pass.visit + '/' + name);
+  std::optional<StlOfPot> stl;
+  // An STL is made of the model as it is sent. Only old keepsakes have one.
+  if (!opened && std::string_view(name) == kPotStl) {
+    opened = files::open_beneath(keepsakes_, pass.visit + '/' + kPotGlb);
+    if (opened) stl = StlOfPot::of(*opened);
+    if (!stl) return {};
+  }
   if (!opened) return {};
   struct stat info {};
   if (::fstat(opened->get(), &info) != 0 || info.st_size < 0) return {};
-  KeepsakeFile found{std::move(*opened), static_cast<std::uint64_t>(info.st_size), {}};
+  KeepsakeFile found{std::move(*opened), static_cast<std::uint64_t>(info.st_size), {}, {}};
   if (found.size > kMostOfAKeepsake) return {};
   std::ostringstream which, tag;
+  if (stl) {
+    found.size = stl->size();
+    found.stl = std::move(stl);
+    which << kPotStl << ' ';
+  }
   which << info.st_ino << ' ' << info.st_size << ' ' << info.st_mtim.tv_sec << ' '
         << info.st_mtim.tv_nsec;
   tag << std::hex << std::setw(16) << std::setfill('0') << std::hash<std::string>{}(which.str());

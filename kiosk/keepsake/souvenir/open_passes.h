@@ -13,14 +13,16 @@
 #include "engine/base/result.h"
 #include "kiosk/ground/files/descriptor.h"
 #include "kiosk/keepsake/souvenir/pass_file.h"
+#include "kiosk/keepsake/souvenir/stl.h"
 
 namespace onggi::souvenir {
 
 /// A file of a keepsake, opened: only the pieces that are read are in memory.
 struct KeepsakeFile {
   files::Descriptor file;
-  std::uint64_t size = 0;  ///< Bytes when it was opened.
-  std::string tag;         ///< The same for the same bytes, another for others; 16 letters.
+  std::uint64_t size = 0;       ///< Bytes when it was opened.
+  std::string tag;              ///< The same for the same bytes, another for others; 16 letters.
+  std::optional<StlOfPot> stl;  ///< `file` is the pot's model, and its STL is what was asked for.
 };
 
 /// The passes as the web process knows them (Passes has those who give them). The tokens are kept

@@ -87,6 +87,14 @@ void Passes::take_back(const Pass& pass) const {
   if (is_token(pass.token)) fs::remove(folder() / pass.token, error);
 }
 
+std::set<std::string> Passes::promised(std::int64_t now) const {
+  std::set<std::string> visits;
+  for (const std::string& token : tokens_of(keepsakes_))
+    if (const auto pass = read_pass(keepsakes_, token); pass && *pass && in_time(**pass, now))
+      visits.insert((*pass)->visit);
+  return visits;
+}
+
 bool Passes::served(std::int64_t now) const {
   struct stat said {};
   if (::stat((folder() / kServed).c_str(), &said) != 0) return false;

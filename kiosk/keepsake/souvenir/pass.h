@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "engine/base/result.h"
@@ -31,6 +32,8 @@ class Passes {
                                        double hours);
   /// Removes a pass whose keepsake was not saved.
   void take_back(const Pass& pass) const;
+  /// The visits whose page is promised to somebody at `now`. Reads each pass.
+  std::set<std::string> promised(std::int64_t now) const;
   /// The folder of phones' notes (fetch_notes()).
   std::filesystem::path fetched() const { return folder() / "fetched"; }
   /// True if OpenPasses::serve() was called less than kSilent seconds ago, so that phones get an

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kMostOfAPass = 1024;
 constexpr std::size_t kLongestCode = 16;
+constexpr std::int64_t kClockBack = 24 * 3600;  // s
 
 std::string beneath(const std::string& name) { return std::string(kPassFolder) + '/' + name; }
 
@@ -26,6 +27,10 @@ struct CloseFolder {
 };
 
 }  // namespace
+
+bool in_time(const Pass& pass, std::int64_t now) {
+  return now < pass.until && now > pass.from - kClockBack;
+}
 
 bool is_token(std::string_view text) {
   return text.size() == kTokenLetters &&

@@ -24,6 +24,9 @@ struct Pass {
   std::string counted{};   ///< Id under which a fetch is counted: FetchNote::id.
 };
 
+/// True while it opens its page: also not if the clock was set back by more than a day.
+bool in_time(const Pass& pass, std::int64_t now);
+
 /// 128 bits of the system's randomness, five a letter.
 inline constexpr std::size_t kTokenLetters = 26;
 /// The letters of a token; none looks like another.

@@ -1,15 +1,51 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <string>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "engine/profile/mesh.h"
+#include "engine/base/result.h"
+#include "kiosk/ground/files/descriptor.h"
 
 namespace onggi::souvenir {
 
-/// Binary STL in millimetres, z up, outside facing outwards, as slicers expect. Triangles without
-/// area are left out. The same mesh gives the same bytes.
-std::vector<std::byte> write_stl(const TriangleMesh& mesh, const std::string& title);
+/// The STL of a kept pot, made of its GLB when it is asked for: binary, millimetres, z up, outside
+/// facing outwards, as slicers expect. Any span of it can be read without the rest, so that a
+/// download needs neither memory nor disk. The same GLB gives the same bytes. Any thread.
+class StlOfPot {
+ public:
+  /// Reads the head of a GLB as content::write_glb writes it. Nothing if `glb` is none, or larger
+  /// than any pot of ours.
+  static std::optional<StlOfPot> of(const files::Descriptor& glb);
+  /// Of the whole STL.
+  std::uint64_t size() const;
+  /// The bytes from `from` on, `into.size()` of them, all within size(). `glb`: the same file.
+  /// False if it has other bytes by now. Allocates what these triangles need.
+  bool read(const files::Descriptor& glb, std::uint64_t from, std::span<std::byte> into) const;
+
+ private:
+  /// Triangles of one material.
+  struct Part {
+    std::uint64_t at = 0;  ///< Of their first index in the file.
+    std::uint64_t triangles = 0;
+    std::size_t index_bytes = 4;
+  };
+  StlOfPot() = default;
+  bool triangles(const files::Descriptor& glb, const Part& part, std::uint64_t first,
+                 std::span<std::byte> into) const;
+
+  static constexpr std::size_t kHead = 84;  ///< 80 letters, and how many triangles follow.
+  std::array<std::byte, kHead> head_{};
+  std::uint64_t positions_ = 0, count_ = 0;  ///< In the file.
+  std::vector<Part> parts_;
+};
+
+/// Writes the STL of the visit in the folder `visit` to `file`, whole or not at all. Problem: exit
+/// 2 if there is no pot of ours, exit 1 if the disk refuses.
+Result<void> write_stl(const std::filesystem::path& visit, const std::filesystem::path& file);
 
 }  // namespace onggi::souvenir

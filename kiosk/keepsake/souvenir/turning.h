@@ -11,7 +11,7 @@
 namespace onggi::souvenir {
 
 /// Largest turning picture, bytes: it fits into a message.
-inline constexpr std::size_t kMostOfATurning = 4'000'000;
+inline constexpr std::size_t kMostOfATurning = 2'200'000;
 
 /// `turning` as a GIF of at most `most` bytes. A pot with too much detail turns in every second of
 /// its pictures, or every fourth, with the same duration. Problem (exit 1) as from encode(), or if

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <ctime>
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/read_file.h"
 #include "kiosk/keepsake/souvenir/keepsake.h"
+#include "kiosk/keepsake/souvenir/pass.h"
 
 namespace onggi::souvenir {
 namespace {
@@ -33,20 +35,16 @@ bool is_plain(char c) {
 }
 
 /// True for files that save() writes, or parts of one that a power cut left
-/// (".postcard.png.12-3.part").
+/// (".postcard.jpg.12-3.part").
 bool is_ours(const std::string& file) {
-  constexpr std::array<std::string_view, 9> names{
-      kPostcardPng, kPostcardJpeg, kPotGlb, kPotStl, kReplay, kSmall, kShown, kSpoken, kTurning};
+  constexpr std::array<std::string_view, 10> names{kPostcard,    kPrint, kPotGlb, kReplay,
+                                                   kSmall,       kShown, kSpoken, kTurning,
+                                                   kPostcardPng, kPotStl};
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
     return file == name ||
            (file.starts_with("." + std::string(name) + ".") && file.ends_with(".part"));
   });
 }
-
-struct Visit {
-  fs::path folder;
-  std::uintmax_t bytes = 0;
-};
 
 /// True if `folder` is a real folder (no link) with only our files; adds up `bytes`.
 bool holds_only_ours(const fs::path& folder, std::uintmax_t& bytes) {
@@ -79,10 +77,10 @@ std::string begin_of(const fs::path& folder, std::time_t now) {
 
 /// Visits dated before this are older than `days`. "" if nothing may be removed by age: also after
 /// a jump of the clock, until the clock is trusted again.
-std::string oldest_begin(int days, const std::vector<Visit>& visits, std::time_t now) {
+std::string oldest_begin(int days, const std::vector<VisitOnDisk>& visits, std::time_t now) {
   if (days <= 0) return {};
   std::vector<std::time_t> times;
-  for (const Visit& visit : visits)
+  for (const VisitOnDisk& visit : visits)
     if (const auto at = files::time_of_stamp(begin_of(visit.folder, now))) times.push_back(*at);
   if (files::clock_jumped(times, now)) return {};
   constexpr std::time_t kDayLength = 24 * 3600;  // s
@@ -95,6 +93,20 @@ bool is_leftover(const fs::path& folder) {
   std::error_code error;
   const auto changed = fs::last_write_time(folder, error);
   return !error && fs::file_time_type::clock::now() - changed > kLeftoverAge;
+}
+
+void remove_leftovers(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> leftovers;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    std::uintmax_t bytes = 0;
+    if (is_visit_name(name) && name.ends_with(kPartial) && holds_only_ours(entry->path(), bytes) &&
+        is_leftover(entry->path()))
+      leftovers.push_back(entry->path());
+  }
+  for (const fs::path& leftover : leftovers) fs::remove_all(leftover, error);
 }
 
 }  // namespace
@@ -147,35 +159,38 @@ std::string visit_name(std::string_view wanted) {
   return name;
 }
 
-Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const std::string& keep,
-                  std::time_t now) {
-  std::vector<Visit> visits;
+std::vector<VisitOnDisk> visits_in(const fs::path& folder) {
+  std::vector<VisitOnDisk> visits;
   std::error_code error;
   fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    Visit visit{entry->path()};
-    if (!is_visit_name(name) || !holds_only_ours(visit.folder, visit.bytes)) continue;
-    if (!name.ends_with(kPartial)) {
+    VisitOnDisk visit{entry->path()};
+    if (is_visit_name(name) && !name.ends_with(kPartial) &&
+        holds_only_ours(visit.folder, visit.bytes))
       visits.push_back(visit);
-    } else if (is_leftover(visit.folder)) {
-      std::error_code ignored;
-      fs::remove_all(visit.folder, ignored);
-    }
   }
-
   // Names begin with the time, so they sort by time.
   std::sort(visits.begin(), visits.end(),
-            [](const Visit& a, const Visit& b) { return a.folder < b.folder; });
+            [](const VisitOnDisk& a, const VisitOnDisk& b) { return a.folder < b.folder; });
+  return visits;
+}
+
+Result<void> tidy(const fs::path& folder, const KeepsakeLimits& limits, const std::string& keep,
+                  std::time_t now) {
+  remove_leftovers(folder);
+  const std::vector<VisitOnDisk> visits = visits_in(folder);
+  const std::set<std::string> promised = Passes(folder).promised(now);
   const std::string oldest = oldest_begin(limits.days, visits, now);
   const auto quota = static_cast<std::uintmax_t>(std::max(limits.quota_mb, 0)) * 1000000u;
   std::uintmax_t total = 0;
-  for (const Visit& visit : visits) total += visit.bytes;
+  for (const VisitOnDisk& visit : visits) total += visit.bytes;
   Result<void> good;
-  for (const Visit& visit : visits) {
+  for (const VisitOnDisk& visit : visits) {
     const std::string name = visit.folder.filename().string();
     const bool over = !oldest.empty() && begin_of(visit.folder, now) < oldest;
-    if (name == keep || (total <= quota && !over)) continue;
+    const bool in_the_way = total > quota && !promised.contains(name);
+    if (name == keep || (!in_the_way && !over)) continue;
     if (auto removed = remove_visit(visit.folder); removed)
       total -= visit.bytes;
     else if (good)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,22 +13,34 @@
 namespace onggi::souvenir {
 
 /// The files of a visit's folder.
-inline constexpr const char* kPostcardPng = "postcard.png";
-inline constexpr const char* kPostcardJpeg = "postcard.jpg";
+inline constexpr const char* kPostcard = "postcard.jpg";
+inline constexpr const char* kPrint = "print.jpg";  ///< With the code of the visitor's page.
 inline constexpr const char* kPotGlb = "pot.glb";
-inline constexpr const char* kPotStl = "pot.stl";
 inline constexpr const char* kReplay = "visit.onggi";
 inline constexpr const char* kSmall = "small.jpg";  ///< The pot alone, for the gallery,
 inline constexpr const char* kShown = "pot.txt";    ///< and its facts for the gallery.
 
 /// The id of the three words that its visitor remembers it by.
 inline constexpr const char* kSpoken = "name.txt";
+/// Only onggi before 2026-12 wrote these; the STL is made when it is asked for.
+inline constexpr const char* kPostcardPng = "postcard.png";
+inline constexpr const char* kPotStl = "pot.stl";
 
 /// The pot from all sides; added later than the others, or not at all.
 inline constexpr const char* kTurning = "turning.gif";
 
 /// Ending of a folder that is being written or removed.
 inline constexpr const char* kPartial = ".partial";
+
+/// A kept visit, and the size of its files.
+struct VisitOnDisk {
+  std::filesystem::path folder;
+  std::uintmax_t bytes = 0;
+};
+
+/// The whole visits in `folder` that hold save()'s files only, by name, so by time. Follows no
+/// link.
+std::vector<VisitOnDisk> visits_in(const std::filesystem::path& folder);
 
 /// True if `name` begins like a visit's: "2026-05-04_141503_" and at least one more character.
 bool is_visit_name(std::string_view name);

@@ -53,7 +53,7 @@ double megabytes_in(const fs::path& folder) {
 
 bool whole(const souvenir::KeepsakeFiles& files) {
   std::error_code none;
-  for (const fs::path& file : {files.png, files.jpeg, files.glb, files.stl, files.replay})
+  for (const fs::path& file : {files.postcard, files.glb, files.replay})
     if (const auto size = fs::file_size(file, none); none || size == 0) return false;
   return true;
 }

@@ -104,6 +104,9 @@ void ServiceRun::look(exhibit::Kiosk& kiosk) {
   health_.dark = kiosk.doing().dark;
   health_.kept = kiosk.doing().saved.kept;
   health_.not_kept = kiosk.doing().saved.refused;
+  const auto room = kiosk.doing().room.value_or(souvenir::Room{});
+  health_.promised_bytes = room.promised;
+  health_.quota_bytes = room.quota;
   const watch::Health all = watch::together(before_, health_);
   watchdog_->look({all.frames, all.wakes, kiosk.doing().device_moves.value_or(all.frames)}, all,
                   files::monotonic_seconds());

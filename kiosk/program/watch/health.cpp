@@ -59,6 +59,10 @@ std::string prometheus_text(const Health& h) {
   m.put("onggi_loop_worst_wake_seconds", "gauge", "The latest wake so far.", h.worst_wake_s);
   m.put("onggi_keepsakes_total", "counter", "Keepsakes kept in this run.", h.kept);
   m.put("onggi_keepsakes_failed_total", "counter", "Keepsakes that could not be kept.", h.not_kept);
+  m.put("onggi_pages_promised_bytes", "gauge", "Keepsakes whose page is promised to a phone.",
+        h.promised_bytes);
+  m.put("onggi_keepsakes_quota_bytes", "gauge", "What the quota holds; 0 without pages.",
+        h.quota_bytes);
   m.put("onggi_disk_writes", "gauge", "1 when the last trial write came through.",
         h.disk_writes ? 1 : 0);
   m.put("onggi_disk_trial_age_seconds", "gauge", "Since a trial write came through.",
@@ -68,13 +72,18 @@ std::string prometheus_text(const Health& h) {
 }
 
 std::string one_line(const Health& h) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s, %llu keepsakes kept, %.1f GB free%s",
+  char pages[80] = "";
+  if (h.quota_bytes > 0 && 2 * h.promised_bytes >= h.quota_bytes)
+    std::snprintf(
+        pages, sizeof pages, ", pages for phones hold %.0f %% of the quota",
+        100.0 * static_cast<double>(h.promised_bytes) / static_cast<double>(h.quota_bytes));
+  char text[240];
+  std::snprintf(text, sizeof text, "%s, %llu keepsakes kept, %.1f GB free%s%s",
                 h.safe_mode ? "Safe mode: the last good exhibit is shown"
                 : h.dark    ? "Dark until the museum opens"
                             : "Open",
                 static_cast<unsigned long long>(h.kept),
-                static_cast<double>(h.disk_free_bytes) * 1e-9,
+                static_cast<double>(h.disk_free_bytes) * 1e-9, pages,
                 h.disk_writes ? "" : ", but the disk cannot be written");
   return text;
 }

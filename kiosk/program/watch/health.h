@@ -18,10 +18,12 @@ struct Health {
   std::uint64_t overruns = 0;    ///< those that missed a tick or more,
   std::uint64_t lost_ticks = 0;  ///< and dropped time, in ticks.
   double worst_wake_s = 0.0;
-  std::uint64_t kept = 0;         ///< Keepsakes of this run,
-  std::uint64_t not_kept = 0;     ///< and those that could not be saved.
-  bool disk_writes = true;        ///< The last trial write succeeded.
-  double disk_trial_age_s = 0.0;  ///< Since the last successful trial write.
+  std::uint64_t kept = 0;            ///< Keepsakes of this run,
+  std::uint64_t not_kept = 0;        ///< and those that could not be saved.
+  std::uint64_t promised_bytes = 0;  ///< Of keepsakes whose page is promised to a phone;
+  std::uint64_t quota_bytes = 0;     ///< the quota holds them. 0: phones have no pages.
+  bool disk_writes = true;           ///< The last trial write succeeded.
+  double disk_trial_age_s = 0.0;     ///< Since the last successful trial write.
   std::uint64_t disk_free_bytes = 0;
 };
 

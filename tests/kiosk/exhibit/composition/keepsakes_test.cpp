@@ -103,6 +103,49 @@ TEST(Keepsakes, APassIsGivenWhilePhonesAreAnsweredAndOnlyThen) {
   EXPECT_EQ(Keepsakes(scratch.path(), {100, 0}).token(), "") << "the museum wants no phones";
 }
 
+// A page that was promised for a day went within hours. Now the last page is promised in time.
+TEST(Keepsakes, WhenPromisedPagesFillTheQuotaNoMoreAreGivenAndStaffAreToldOnceADay) {
+  const ScratchFolder scratch;
+  souvenir::OpenPasses(scratch.path()).serve();
+  const souvenir::Passes passes(scratch.path());
+  const auto promise = [&](const std::string& name) {
+    fs::create_directories(scratch.path() / name);
+    std::ofstream(scratch.path() / name / "postcard.jpg") << std::string(5'000'000, 'x');
+    ASSERT_TRUE(passes.give(name, std::time(nullptr), 24));
+  };
+  Keepsakes keepsakes(scratch.path(), {20, 0}, 24.0);
+  double now = 0;
+  const auto look = [&] {
+    const auto before = keepsakes.room();
+    now += Keepsakes::kRoom;
+    keepsakes.look(now);
+    for (int n = 0; n < 5000; ++n) {
+      const auto room = keepsakes.room();
+      if (room && (!before || room->promised != before->promised)) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  };
+  look();
+  EXPECT_FALSE(keepsakes.crowded(now));
+  EXPECT_NE(keepsakes.token(), "");
+  promise("2026-05-04_141503_a");
+  promise("2026-05-04_141504_b");
+  look();
+  const auto told = keepsakes.crowded(now);
+  ASSERT_TRUE(told) << "half of it is promised";
+  EXPECT_NE(keepsakes.token(), "");
+  EXPECT_FALSE(keepsakes.crowded(now + 3600));
+  promise("2026-05-04_141505_c");
+  look();
+  EXPECT_EQ(keepsakes.token(), "");
+  EXPECT_TRUE(keepsakes.crowded(now)) << "the last page is gone, and that is told at once";
+  EXPECT_FALSE(keepsakes.crowded(now + 3600));
+  EXPECT_TRUE(keepsakes.crowded(now + Keepsakes::kTidy));
+  fs::remove_all(scratch.path() / "2026-05-04_141503_a");
+  look();
+  EXPECT_NE(keepsakes.token(), "") << "a visitor deleted theirs";
+}
+
 encoding::Turning a_turning(std::uint8_t shade) {
   return {8, 8, 4, 1.0, std::vector<std::uint8_t>(4 * 8 * 8 * 4, shade)};
 }

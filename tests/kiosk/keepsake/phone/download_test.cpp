@@ -8,8 +8,12 @@
 #include <thread>
 #include <vector>
 
+#include "engine/profile/mesh.h"
+#include "kiosk/collection/content/glb.h"
 #include "kiosk/ground/files/monotonic.h"
 #include "kiosk/keepsake/phone/server.h"
+#include "kiosk/keepsake/souvenir/stl.h"
+#include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/keepsake/phone/phone_fixture.h"
 #include "tests/kiosk/keepsake/phone/slow_way.h"
 
@@ -48,6 +52,34 @@ class Download : public test::PhoneTest {
   }
   std::string print_;
 };
+
+// A kept pot has no STL: it is made of the model while it is sent.
+TEST_F(Download, ThePrintIsMadeOfTheModelWholeOrASpanOfItAndIsTheDesksOwn) {
+  const std::filesystem::path visit = keepsakes_ / kVisit;
+  std::filesystem::remove(visit / "pot.stl");
+  const std::string at = "/k/" + token();
+  EXPECT_THAT(get(at + "/pot.stl"), StartsWith("HTTP/1.1 404")) << "its model is none";
+  TriangleMesh pot = revolve(section_of(shapes::jar()), 96);
+  const auto glb = content::write_glb(pot, "My pot", "", {{0, {}}, {500, {}}}, {}, 2);
+  std::ofstream(visit / "pot.glb", std::ios::binary)
+      .write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
+  ASSERT_TRUE(souvenir::write_stl(visit, folder_.path() / "desk.stl"));
+  const std::string desk = files::test::content(folder_.path() / "desk.stl");
+  ASSERT_EQ(desk.size(), 84 + 50 * pot.triangles.size());
+  ASSERT_GT(desk.size(), 300'000u) << "many pieces";
+  const std::string whole = get(at + "/pot.stl");
+  EXPECT_THAT(whole, StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(whole, HasSubstr("attachment; filename=\"pot.stl\""));
+  EXPECT_TRUE(body_of(whole) == desk);
+  const std::string tag = tag_of(whole);
+  EXPECT_NE(tag, tag_of(get(at + "/pot.glb")));
+  const std::string part = ask(at + "/pot.stl", "Range: bytes=70001-\r\nIf-Range: " + tag + "\r\n");
+  EXPECT_THAT(part, StartsWith("HTTP/1.1 206"));
+  EXPECT_TRUE(body_of(part) == desk.substr(70'001));
+  EXPECT_EQ(body_of(ask(at + "/pot.stl", "", "HEAD")), "");
+  std::filesystem::resize_file(visit / "pot.glb", glb.size() - 4096);
+  EXPECT_THAT(get(at + "/pot.stl"), StartsWith("HTTP/1.1 404"));
+}
 
 TEST_F(Download, OneSpanOfAFileIsGivenAndTheRestOfItFromWhereAPhoneStopped) {
   const std::string at = print_of(10'000), whole = get(at);

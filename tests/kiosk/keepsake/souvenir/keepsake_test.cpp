@@ -9,9 +9,13 @@
 #include <chrono>
 #include <ctime>
 #include <map>
+#include <span>
 
 #include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/ground/files/local_time.h"
+#include "kiosk/ground/files/read_file.h"
+#include "kiosk/ground/files/zstandard.h"
+#include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/ground/files/disk.h"
 
@@ -29,7 +33,6 @@ Keepsake keepsake(const std::string& name = "2026-05-04_141503_moon_jar") {
   k.postcard = {50, 70, std::vector<std::uint8_t>(50 * 70 * 4, 200)};
   k.caption = {"My pot, inspired by: Moon jar", "Museum of Jars", "Joseon"};
   k.glb = {std::byte{'g'}, std::byte{'l'}};
-  k.pot = revolve({{{0, 0}, {0.05, 0}, {0.05, 0.1}, {0.04, 0.1}, {0.04, 0.01}, {0, 0.01}}}, 16);
   k.replay = {std::byte{'r'}};
   return k;
 }
@@ -40,14 +43,14 @@ void put_visit(const fs::path& folder, const std::string& name, std::size_t kilo
   std::ofstream(folder / name / "postcard.png") << std::string(kilobytes * 1000, 'x');
 }
 
-TEST(keepsake, a_visit_is_a_folder_with_five_files) {
+TEST(keepsake, a_visit_is_a_folder_with_each_thing_once) {
   const ScratchFolder scratch;
   const auto files = save(keepsake(), scratch.path() / "keepsakes", {100});
   ASSERT_TRUE(files) << to_text(files.error());
   EXPECT_EQ(files->folder, scratch.path() / "keepsakes/2026-05-04_141503_moon_jar");
-  EXPECT_THAT(names_in(files->folder),
-              ElementsAre("postcard.jpg", "postcard.png", "pot.glb", "pot.stl", "visit.onggi"));
-  for (const fs::path& file : {files->png, files->jpeg, files->glb, files->stl, files->replay}) {
+  EXPECT_THAT(names_in(files->folder), ElementsAre("postcard.jpg", "pot.glb", "visit.onggi"));
+  EXPECT_TRUE(files->print.empty()) << "the postcard has no code, so it is what the desk prints";
+  for (const fs::path& file : {files->postcard, files->glb, files->replay}) {
     EXPECT_TRUE(fs::is_regular_file(file)) << file;
     EXPECT_GT(fs::file_size(file), 0u);
   }
@@ -80,11 +83,10 @@ TEST(keepsake, what_is_empty_is_not_written) {
   Keepsake k = keepsake();
   k.replay.clear();
   k.glb.clear();
-  k.pot = {};
   const auto files = save(k, scratch.path(), {100});
   ASSERT_TRUE(files);
-  EXPECT_TRUE(files->replay.empty() && files->glb.empty() && files->stl.empty());
-  EXPECT_THAT(names_in(files->folder), ElementsAre("postcard.jpg", "postcard.png"));
+  EXPECT_TRUE(files->replay.empty() && files->glb.empty());
+  EXPECT_THAT(names_in(files->folder), ElementsAre("postcard.jpg"));
 }
 
 TEST(keepsake, two_visits_of_one_name_are_both_kept) {
@@ -127,6 +129,42 @@ TEST(keepsake, the_oldest_visits_go_when_the_quota_is_reached) {
   ASSERT_TRUE(save(keepsake(), scratch.path(), {10}));
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("2026-01-02_100000_b", "2026-01-03_100000_c",
                                                     "2026-05-04_141503_moon_jar"));
+}
+
+TEST(keepsake, only_a_visitor_with_a_page_gets_a_card_with_its_code_and_the_replay_is_packed) {
+  const ScratchFolder scratch;
+  Keepsake k = keepsake();
+  k.replay.assign(100'000, std::byte{7});
+  k.phone = ByPhone{*Passes::new_token(), 24.0, "en", k.postcard};
+  const auto files = save(k, scratch.path(), {100});
+  ASSERT_TRUE(files) << to_text(files.error());
+  EXPECT_THAT(names_in(files->folder),
+              ElementsAre("postcard.jpg", "pot.glb", "print.jpg", "visit.onggi"));
+  EXPECT_LT(fs::file_size(files->replay), 1000u);
+  const auto frame = files::read_file(files->replay, 1000);
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(files::unpacked(std::as_bytes(std::span(*frame)), 200'000), k.replay);
+}
+
+// A pot was removed within hours on a good day, though its page promised a day.
+TEST(keepsake, the_quota_takes_no_visit_whose_page_is_promised_and_the_next_oldest_instead) {
+  const ScratchFolder scratch;
+  const std::time_t now = std::time(nullptr);
+  for (const char* name :
+       {"2026-01-01_100000_a", "2026-01-02_100000_b", "2026-01-03_100000_c", "2026-01-04_100000_d"})
+    put_visit(scratch.path(), name, 4000);
+  const Passes passes(scratch.path());
+  ASSERT_TRUE(passes.give("2026-01-01_100000_a", now, 24));
+  ASSERT_TRUE(passes.give("2026-01-02_100000_b", now - 26 * 3600, 24));
+  ASSERT_TRUE(passes.give("2026-01-03_100000_c", now, 24));
+  ASSERT_TRUE(tidy(scratch.path(), {10}, {}, now));
+  EXPECT_THAT(names_in(scratch.path()),
+              ElementsAre("2026-01-01_100000_a", "2026-01-03_100000_c", "phone"));
+  ASSERT_TRUE(tidy(scratch.path(), {5}, {}, now));
+  EXPECT_THAT(names_in(scratch.path()),
+              ElementsAre("2026-01-01_100000_a", "2026-01-03_100000_c", "phone"));
+  ASSERT_TRUE(tidy(scratch.path(), {5}, {}, now + 25 * 3600));
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre("2026-01-03_100000_c", "phone"));
 }
 
 TEST(keepsake, the_visit_just_made_stays_even_with_a_clock_that_was_set_back) {

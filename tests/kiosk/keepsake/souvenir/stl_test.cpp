@@ -1,5 +1,6 @@
 #include "kiosk/keepsake/souvenir/stl.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <unistd.h>
@@ -15,13 +16,17 @@
 #include <memory>
 #include <numbers>
 #include <regex>
+#include <span>
 #include <string>
 
 #include "engine/clay/clay_mesh.h"
 #include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
+#include "kiosk/collection/content/glb.h"
+#include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "kiosk/wheel/loop/stepped_wheel.h"
+#include "tests/kiosk/ground/files/disk.h"
 
 namespace onggi::souvenir {
 namespace {
@@ -56,13 +61,51 @@ double volume(const std::vector<Face>& faces) {
   return six / 6;
 }
 
+/// A mesh without triangles that have no width, as kept pots are.
+TriangleMesh with_area(TriangleMesh mesh) {
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    const auto& p = mesh.positions;
+    return p[t[0]] == p[t[1]] || p[t[1]] == p[t[2]] || p[t[2]] == p[t[0]];
+  });
+  return mesh;
+}
+
+/// A kept pot's model on the disk, in parts of two materials.
+struct Kept {
+  explicit Kept(const TriangleMesh& mesh, const std::string& title = "cup",
+                std::size_t index_bytes = 2) {
+    std::vector<content::GlbPart> parts{{0, {}}};
+    if (mesh.triangles.size() > 9) parts.push_back({9, {}});
+    put(content::write_glb(mesh, title, "", parts, {}, index_bytes));
+  }
+  explicit Kept(std::span<const std::byte> glb) { put(glb); }
+  void put(std::span<const std::byte> glb) {
+    std::ofstream(scratch.path() / kPotGlb, std::ios::binary)
+        .write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
+    file = files::Descriptor(::open((scratch.path() / kPotGlb).c_str(), O_RDONLY));
+  }
+  /// All of its STL; empty if it has none.
+  std::vector<std::byte> stl() const {
+    const auto stl = StlOfPot::of(file);
+    std::vector<std::byte> bytes(stl ? stl->size() : 0);
+    if (stl && !stl->read(file, 0, bytes)) bytes.clear();
+    return bytes;
+  }
+  files::test::ScratchFolder scratch;
+  files::Descriptor file;
+};
+
+TriangleMesh turned(const Section& section, int sectors) {
+  return with_area(revolve(section, sectors));
+}
+
 Section cup(double outer, double inner, double height, double floor) {
   return {{{0, 0}, {outer, 0}, {outer, height}, {inner, height}, {inner, floor}, {0, floor}}};
 }
 
 TEST(stl, a_cup_holds_the_clay_that_its_drawing_says) {
   const int sectors = 256;
-  const auto faces = read_stl(write_stl(revolve(cup(0.05, 0.045, 0.12, 0.006), sectors), "cup"));
+  const auto faces = read_stl(Kept(turned(cup(0.05, 0.045, 0.12, 0.006), sectors)).stl());
   // A turned polygon's cross-section is that of a regular polygon, not of a circle.
   const double n = sectors, polygon = n / 2 * std::sin(2 * std::numbers::pi / n);
   const double mm3 = polygon * (50.0 * 50.0 * 120.0 - 45.0 * 45.0 * 114.0);
@@ -70,7 +113,7 @@ TEST(stl, a_cup_holds_the_clay_that_its_drawing_says) {
 }
 
 TEST(stl, the_pot_stands_upright_in_millimetres) {
-  const auto faces = read_stl(write_stl(revolve(cup(0.05, 0.045, 0.12, 0.006), 64), "cup"));
+  const auto faces = read_stl(Kept(turned(cup(0.05, 0.045, 0.12, 0.006), 64)).stl());
   std::array<float, 3> low{1e9f, 1e9f, 1e9f}, high{-1e9f, -1e9f, -1e9f};
   for (const Face& f : faces) {
     for (const auto& p : f.corner) {
@@ -86,7 +129,7 @@ TEST(stl, the_pot_stands_upright_in_millimetres) {
 }
 
 TEST(stl, the_surface_is_closed_and_normals_agree_with_the_corners) {
-  const auto faces = read_stl(write_stl(revolve(cup(0.05, 0.045, 0.12, 0.006), 48), "cup"));
+  const auto faces = read_stl(Kept(turned(cup(0.05, 0.045, 0.12, 0.006), 48)).stl());
   ASSERT_FALSE(faces.empty());
   std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, int> edges;
   for (const Face& f : faces) {
@@ -108,10 +151,11 @@ TEST(stl, the_surface_is_closed_and_normals_agree_with_the_corners) {
   }
 }
 
-TEST(stl, the_same_mesh_gives_the_same_bytes_and_no_minus_zero) {
-  const auto mesh = revolve(cup(0.05, 0.045, 0.12, 0.006), 32);
-  const auto bytes = write_stl(mesh, "달항아리");
-  EXPECT_EQ(bytes, write_stl(mesh, "달항아리"));
+TEST(stl, the_same_pot_gives_the_same_bytes_with_short_and_long_indices_and_no_minus_zero) {
+  const auto mesh = turned(cup(0.05, 0.045, 0.12, 0.006), 32);
+  const auto bytes = Kept(mesh, "달항아리").stl();
+  EXPECT_EQ(bytes, Kept(mesh, "달항아리", 4).stl());
+  ASSERT_EQ(read_stl(bytes).size(), mesh.triangles.size());
   for (const Face& f : read_stl(bytes)) {
     for (const auto& p : f.corner) {
       for (const float v : p) EXPECT_FALSE(v == 0.0f && std::signbit(v));
@@ -119,19 +163,62 @@ TEST(stl, the_same_mesh_gives_the_same_bytes_and_no_minus_zero) {
   }
 }
 
+// A download goes on anywhere.
+TEST(stl, any_span_of_it_is_what_the_whole_has_there) {
+  const Kept kept(turned(cup(0.05, 0.045, 0.12, 0.006), 24));
+  const auto whole = kept.stl();
+  const auto stl = StlOfPot::of(kept.file);
+  ASSERT_TRUE(stl);
+  EXPECT_TRUE(rc::check([&](std::uint16_t a, std::uint16_t b) {
+    const std::size_t from = a % whole.size(), size = b % (whole.size() - from + 1);
+    std::vector<std::byte> span(size);
+    RC_ASSERT(stl->read(kept.file, from, span));
+    RC_ASSERT(std::ranges::equal(span, std::span(whole).subspan(from, size)));
+  }));
+  std::vector<std::byte> beyond(2);
+  EXPECT_FALSE(stl->read(kept.file, whole.size() - 1, beyond));
+}
+
 TEST(stl, the_header_never_looks_like_the_text_form_and_is_always_80_bytes) {
   EXPECT_TRUE(rc::check([](const std::string& title) {
-    const auto bytes = write_stl(TriangleMesh{}, title);
-    RC_ASSERT(bytes.size() == 84u);
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    const auto bytes = Kept(mesh, title).stl();
+    RC_ASSERT(bytes.size() == 134u);
     RC_ASSERT(std::memcmp(bytes.data(), "solid", 5) != 0);
   }));
 }
 
-TEST(stl, triangles_without_a_surface_or_a_corner_are_left_out) {
-  TriangleMesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}};
-  mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 1, 2}, {0, 1, 9}, {0, 1, 2}};
-  EXPECT_EQ(read_stl(write_stl(mesh, "")).size(), 2u);
+// Whoever may write a keepsake's folder must not be able to harm the server.
+TEST(stl, a_damaged_model_gives_none_or_one_that_ends_and_never_reads_beyond_it) {
+  const auto good =
+      content::write_glb(turned(cup(0.05, 0.045, 0.12, 0.006), 12), "cup", "", {{0, {}}}, {}, 2);
+  EXPECT_EQ(Kept(std::span(good)).stl().size(),
+            84 + 50 * turned(cup(0.05, 0.045, 0.12, 0.006), 12).triangles.size());
+  EXPECT_TRUE(Kept(std::span(good).first(good.size() - 40)).stl().empty()) << "cut short";
+  EXPECT_TRUE(Kept(std::span(good).first(30)).stl().empty());
+  EXPECT_TRUE(Kept(std::span(good).first(0)).stl().empty());
+  EXPECT_TRUE(rc::check([&](std::uint16_t at, std::uint8_t value) {
+    auto other = good;
+    other[at % other.size()] = std::byte{value};
+    Kept(std::span(other)).stl();
+  }));
+  auto index = good;
+  // The last index, before its padding.
+  for (std::size_t n = index.size() - 4; n < index.size(); ++n) index[n] = std::byte{0xFE};
+  EXPECT_TRUE(Kept(std::span(index)).stl().empty()) << "a corner that is not there";
+}
+
+TEST(stl, the_desk_gets_it_as_a_file_and_is_told_of_a_folder_without_a_pot) {
+  const Kept kept(turned(cup(0.05, 0.045, 0.12, 0.006), 24));
+  const auto file = kept.scratch.path() / "cup.stl";
+  ASSERT_TRUE(write_stl(kept.scratch.path(), file));
+  const std::string text = files::test::content(file);
+  EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(text)), kept.stl()));
+  const auto none = write_stl(kept.scratch.path() / "no", file);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().exit_code, 2);
 }
 
 /// What ADMesh (Debian: admesh), which shares no line with us, says of a file.
@@ -173,7 +260,7 @@ TEST(stl, a_thrown_pot_is_one_closed_body_for_another_reader_too_in_mm_and_of_th
   const ClayView& clay = wheel_host.view().clay;
   ASSERT_GT(clay.mean_outer(clay.rows() / 2), 0.05) << "it was thrown";
 
-  const auto bytes = write_stl(mesh_of(clay), "thrown");
+  const auto bytes = Kept(mesh_of(clay), "thrown").stl();
   const auto file =
       std::filesystem::temp_directory_path() / ("onggi_stl_" + std::to_string(getpid()) + ".stl");
   std::ofstream(file, std::ios::binary)

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/scene/replay.h"
+#include "kiosk/ground/files/replay_file.h"
 #include "kiosk/keepsake/store/database.h"
 #include "tests/kiosk/program/commands/program.h"
 
@@ -52,8 +52,7 @@ TEST(Devices, EachIsListedWithWhatItWouldDoAndTheThirdHandIsNotUsed) {
 
 /// Where the tool was at each tick of a kept visit, as a simulated hand's track.
 std::string track_of(const Json& visit, const ScratchFolder& folder) {
-  const std::string bytes = content(visit.at("files").at(4).get<std::string>());
-  const auto replay = Replay::read(std::as_bytes(std::span(bytes)), "visit");
+  const auto replay = files::read_replay(visit.at("files").at(2).get<std::string>());
   EXPECT_TRUE(replay);
   const std::string file = (folder / "track").string();
   std::ofstream out(file);
@@ -83,16 +82,15 @@ Json visit(const ScratchFolder& folder, const std::string& name, const std::stri
 
 /// How alike two kept pots are: RMS distance of their outlines, mm.
 double apart_mm(const Json& a, const Json& b) {
-  const Outcome run = onggi("score " + a.at("files").at(2).get<std::string>() + " " +
-                            b.at("files").at(2).get<std::string>() + " --json -");
+  const Outcome run = onggi("score " + a.at("files").at(1).get<std::string>() + " " +
+                            b.at("files").at(1).get<std::string>() + " --json -");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   return Json::parse(run.out).at("measures").at("outline_rms").get<double>() * 1e3 *
          a.at("height").get<double>();
 }
 
 Replay replay_of(const Json& visit) {
-  const std::string bytes = content(visit.at("files").at(4).get<std::string>());
-  auto replay = Replay::read(std::as_bytes(std::span(bytes)), "visit");
+  auto replay = files::read_replay(visit.at("files").at(2).get<std::string>());
   EXPECT_TRUE(replay);
   return std::move(*replay);
 }

@@ -53,6 +53,18 @@ TEST(health, counts_go_on_over_a_reload_and_large_ones_are_told_to_the_last_digi
     EXPECT_THAT(text, HasSubstr("\n" + std::string(line)));
 }
 
+TEST(health, from_half_the_quota_on_it_tells_how_much_pages_for_phones_hold) {
+  Health health;
+  EXPECT_THAT(one_line(health), Not(HasSubstr("quota")));
+  health.quota_bytes = 2'000'000'000;
+  health.promised_bytes = 999'000'000;
+  EXPECT_THAT(one_line(health), Not(HasSubstr("quota")));
+  EXPECT_THAT(prometheus_text(health), HasSubstr("\nonggi_pages_promised_bytes 999000000\n"));
+  EXPECT_THAT(prometheus_text(health), HasSubstr("\nonggi_keepsakes_quota_bytes 2000000000\n"));
+  health.promised_bytes = 1'240'000'000;
+  EXPECT_THAT(one_line(health), HasSubstr("pages for phones hold 62 % of the quota"));
+}
+
 TEST(health, it_tells_what_is_wrong) {
   Health health;
   EXPECT_THAT(prometheus_text(health), HasSubstr("\nonggi_safe_mode 0\n"));
