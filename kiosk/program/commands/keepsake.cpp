@@ -16,6 +16,7 @@
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/keepsake/souvenir/stl.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "kiosk/program/commands/commands.h"
 
@@ -29,8 +30,10 @@ constexpr std::size_t kNewest = 20;           // listed where nobody names one
 constexpr std::size_t kMostTaken = 1u << 28;  // bytes; more than onggi writes
 constexpr auto kPatience = std::chrono::seconds(60);
 /// What a visitor takes home.
-constexpr std::array kTaken{souvenir::kPostcardPng, souvenir::kPostcardJpeg, souvenir::kPotGlb,
-                            souvenir::kPotStl, souvenir::kTurning};
+constexpr std::array kTaken{souvenir::kPostcard, souvenir::kPotGlb, souvenir::kTurning,
+                            souvenir::kPostcardPng, souvenir::kPotStl};
+/// What is printed: the first of these that is there. The first two have the visitor's code.
+constexpr std::array kPrinted{souvenir::kPrint, souvenir::kPostcardPng, souvenir::kPostcard};
 
 struct KeepsakeArguments {
   std::string name, to, printer, language, keepsakes, config;
@@ -128,6 +131,10 @@ Result<int> copy(const KeepsakeArguments& arguments) {
     if (auto put = files::write_durably(to / name, std::as_bytes(std::span(*bytes))); !put)
       return tl::unexpected(put.error());
   }
+  const fs::path stl = to / souvenir::kPotStl;
+  if (fs::exists(to / souvenir::kPotGlb, error) && !fs::exists(stl, error))
+    if (auto made = souvenir::write_stl(kept->folder / one->visit, stl); !made)
+      return tl::unexpected(made.error());
   std::cout << "Copied to " << terminal::plain(to.string()) << '\n';
   return 0;
 }
@@ -139,7 +146,13 @@ Result<int> print(const KeepsakeArguments& arguments) {
   if (!one) return tl::unexpected(one.error());
   std::vector<std::string> words{"-t", kept->said(*one), "-o", "print-scaling=fit"};
   if (!arguments.printer.empty()) words.insert(words.end(), {"-d", arguments.printer});
-  words.insert(words.end(), {"--", (kept->folder / one->visit / souvenir::kPostcardPng).string()});
+  const fs::path visit = kept->folder / one->visit;
+  std::error_code error;
+  const auto printed = std::ranges::find_if(
+      kPrinted, [&](const char* name) { return fs::is_regular_file(visit / name, error); });
+  if (printed == kPrinted.end())
+    return problem(visit.string(), "There is no postcard here.", "Name another keepsake.");
+  words.insert(words.end(), {"--", (visit / *printed).string()});
   std::cout.flush();
   auto lp = files::ChildProcess::start("lp", words, {-1, 1, 2});
   if (!lp)

@@ -243,7 +243,7 @@ TEST(Poster, IsAFourUprightAndAVesselThatIsNotThereIsNamed) {
   const std::string png = (folder / "poster.png").string();
   const Outcome run = onggi("poster --address https://museum.org -o " + png);
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const std::string picture = text_of(png);
+  const std::string picture = content(png);
   ASSERT_GT(picture.size(), 300'000u);
   const auto number_at = [&picture](std::size_t at) {
     return static_cast<unsigned char>(picture[at + 2]) * 256 +

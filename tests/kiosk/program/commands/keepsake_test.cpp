@@ -20,7 +20,7 @@ class AtTheDesk : public ::testing::Test {
   void keep(const std::string& visit, const std::string& name) {
     const fs::path in = folder_ / "keepsakes" / visit;
     fs::create_directories(in);
-    for (const char* file : {"postcard.png", "postcard.jpg", "visit.onggi"})
+    for (const char* file : {"postcard.jpg", "print.jpg", "visit.onggi"})
       std::ofstream(in / file) << visit << file;
     if (!name.empty()) std::ofstream(in / "name.txt") << name << '\n';
   }
@@ -30,7 +30,7 @@ class AtTheDesk : public ::testing::Test {
                  first);
   }
   bool there(const std::string& visit) { return fs::exists(folder_ / "keepsakes" / visit); }
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
 };
 
 TEST_F(AtTheDesk, AKeepsakeIsFoundByItsNameInAnyLanguageAndByItsTime) {
@@ -58,9 +58,9 @@ TEST_F(AtTheDesk, ACopyHoldsWhatTheVisitorTakesHome) {
   fs::create_directories(stick);
   const Outcome copied = desk("copy 'quiet blue heron' '" + stick.string() + "'");
   ASSERT_EQ(copied.exit_code, 0) << copied.err;
-  EXPECT_EQ(text_of(stick / "quiet-blue-heron/postcard.png"),
-            "2026-05-04_141503_moon_jarpostcard.png");
-  EXPECT_TRUE(fs::exists(stick / "quiet-blue-heron/postcard.jpg"));
+  EXPECT_EQ(content(stick / "quiet-blue-heron/postcard.jpg"),
+            "2026-05-04_141503_moon_jarpostcard.jpg");
+  EXPECT_FALSE(fs::exists(stick / "quiet-blue-heron/print.jpg")) << "its code may delete";
   EXPECT_FALSE(fs::exists(stick / "quiet-blue-heron/visit.onggi"));
 }
 
@@ -74,7 +74,7 @@ TEST_F(AtTheDesk, APostcardIsPrintedByLpUnderItsName) {
   ASSERT_EQ(printed.exit_code, 0) << printed.err;
   EXPECT_EQ(printed.out, "-t|brave red heron|-o|print-scaling=fit|-d|hall|--|" +
                              (folder_ / "keepsakes").string() +
-                             "/2026-05-04_151500_tea_bowl/postcard.png|");
+                             "/2026-05-04_151500_tea_bowl/print.jpg|");
   std::ofstream(bin / "lp") << "#!/bin/sh\nexit 1\n";
   EXPECT_EQ(desk("print 'brave red heron'", with_lp).exit_code, 1);
   const Outcome without =
