@@ -5,9 +5,11 @@
 
 #include <chrono>
 #include <ctime>
+#include <fstream>
 #include <thread>
 
 #include "kiosk/keepsake/souvenir/open_passes.h"
+#include "kiosk/keepsake/souvenir/pass.h"
 #include "tests/kiosk/ground/files/disk.h"
 
 namespace onggi::exhibit {
