@@ -45,7 +45,11 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
   if (kiosk->exhibit_.store.count)
     kiosk->counter_ = std::make_unique<VisitCounter>(files::store_file(kept_in), kiosk->exhibit_,
                                                      souvenir::Passes(kept_in).fetched());
-  auto renderer = options.renderer(options.window);
+  render::WindowOptions window = options.window;
+  window.opening = [&first = kiosk->languages_.front()](int width, int height) {
+    return make_opening_frame(first, width, height, 0, 0);
+  };
+  auto renderer = options.renderer(window);
   if (!renderer) return tl::unexpected(renderer.error());
   kiosk->renderer_ = std::move(*renderer);
   render::when_display_is_lost([lost = kiosk.get()] {

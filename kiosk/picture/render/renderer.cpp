@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "kiosk/picture/render/calls.h"
 #include "kiosk/picture/render/canvas.h"
 #include "kiosk/picture/render/items.h"
 #include "kiosk/picture/render/pacing.h"
@@ -15,6 +16,7 @@
 #include "kiosk/picture/render/stage.h"
 #include "kiosk/picture/render/window.h"
 #include "kiosk/picture/view/looks_same.h"
+#include "kiosk/picture/view/palette.h"
 
 namespace onggi::render {
 namespace {
@@ -42,6 +44,17 @@ Pacing pacing_for(bool software, int width, int height) {
   const double share = std::clamp((1.0 * width * height - small) / (large - small), 0.0, 1.0);
   const double late = 32.0 + 16.0 * share;
   return {late, 0.85 * late};
+}
+
+/// On flat plaster: the studio's is not there yet.
+void show_opening(const view::Frame& frame, Window& window, ItemPainter& items) {
+  calls::bind_framebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, frame.width, frame.height);
+  glClearColor(view::kPlaster.r, view::kPlaster.g, view::kPlaster.b, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  items.draw(frame.items, {}, frame.width, frame.height);
+  window.swap();
+  glFinish();
 }
 
 class GlRenderer final : public Renderer {
@@ -252,10 +265,12 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const WindowOptions& options)
                    "LIBGL_ALWAYS_SOFTWARE=1.",
                    1);
   }
-  auto stage = Stage::create();
-  if (!stage) return tl::unexpected(stage.error());
   auto items = ItemPainter::create();
   if (!items) return tl::unexpected(items.error());
+  if (options.opening && (*window)->visible())
+    show_opening(options.opening((*window)->width(), (*window)->height()), **window, **items);
+  auto stage = Stage::create();
+  if (!stage) return tl::unexpected(stage.error());
   return std::make_unique<GlRenderer>(std::move(*window), std::move(*stage), std::move(*items));
 }
 

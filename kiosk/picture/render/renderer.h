@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,9 @@ struct WindowOptions {
   int width = 0, height = 0;  ///< Both 0: full screen on the primary monitor.
   bool visible = true;        ///< false: the window is never mapped (scripted visits).
   std::string title = "Onggi";
+  /// What a visible window of this width and height shows while the shaders are compiled, which
+  /// takes seconds without a GPU: items only. Absent: nothing.
+  std::function<view::Frame(int, int)> opening = {};
 };
 
 /// Figures of the last second.
