@@ -49,6 +49,12 @@ class Looker {
     if (rect)
       rehearsal::touch_at(kiosk_.visit(), rect->x + rect->w / 2, rect->y + rect->h / 2, now_);
   }
+  void press_clay() {
+    const auto& pot = kiosk_.shown().pot;
+    const auto at = pot ? pot->camera.project({0, 0.05, 0}) : std::nullopt;
+    if (!at) return fail("attract's pot");
+    rehearsal::touch_at(kiosk_.visit(), at->first, at->second, now_);
+  }
   bool has(const std::string& control) const { return kiosk_.visit().control(control).has_value(); }
   /// Waits until all stands, and looks.
   void look(const std::string& state) {
@@ -185,6 +191,7 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
   looker.frames(20);
   looker.look_now("attract");
   looker.over("help", "attract help");
+  looker.over("language", "languages");
   const auto& label = [&] {
     return kiosk.shelf()
         .cards()[static_cast<std::size_t>(std::max(0, kiosk.doing().card))]
@@ -193,6 +200,10 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
   };
   looker.until("the name of attract's vessel", [&] { return looker.says(label()); });
   looker.look_now("attract name");
+  looker.press_clay();
+  looker.look("clay");
+  looker.touch("back");
+  looker.frames(kSettled);
   looker.touch("attract.begin");
   looker.look("choose");
   if (looker.has("choose.next")) {

@@ -64,9 +64,7 @@ Result<void> ScriptedVisitor::step(double now) {
       }
       touched_ = true;
       pass("attract");
-      touch_at(kiosk_.visit(), static_cast<float>(kiosk_.renderer().width()) / 2,
-               static_cast<float>(kiosk_.renderer().height()) / 2, now_);
-      return {};
+      return touch(kiosk_.visit().reading().first);
     case ScreenId::choose:
       return on_choose();
     case ScreenId::throwing:

@@ -16,7 +16,7 @@ struct VisitRecord {
   std::string scene;        ///< File name of its scene; "": none.
   std::string language;     ///< Language code at the end.
   std::string way;          ///< "touch", "mouse", "keys", or a device's kind.
-  std::string reached;      ///< The furthest screen: "choose", "throw", "result"...
+  std::string reached;      ///< The furthest screen: "clay", "choose", "throw", "result"...
   std::string left;         ///< The last screen.
   std::string ended;        ///< "finished", "back", "idle", "fault", or "closed" with the program.
   double active_s = 0.0;    ///< First touch to last, without the idle time after it.

@@ -102,7 +102,7 @@ class Walk {
   /// From attract to the wheel, like a visitor.
   Result<void> go_to_wheel(int card) {
     frames(50);
-    rehearsal::touch_at(visit_, 0.5f * kWidth, 0.5f * kHeight, now);
+    if (auto good = touch("attract.begin"); !good) return good;
     frames(60);
     const std::string wanted = "choose.card." + std::to_string(card);
     for (std::size_t page = 0; page < cards_.size() && !visit_.control(wanted); ++page) {

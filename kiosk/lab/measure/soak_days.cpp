@@ -207,12 +207,15 @@ Result<void> SoakDays::visit() {
     faster_ = kiosk_->doing().saving || kiosk_->doing().turning ? 1 : kFaster;
     if (auto good = frame(); !good) return good;
     troubles_->during(kiosk_->doing().saving);
-    if (!changed_language && kiosk_->visit().screen() == screens::ScreenId::choose &&
-        kiosk_->visit().control("language")) {
-      changed_language = true;
-      if (n % 2 == 1) {
-        const auto rect = *kiosk_->visit().control("language");
-        rehearsal::touch_at(kiosk_->visit(), rect.x + rect.w / 2, rect.y + rect.h / 2, now_);
+    if (n % 2 == 1 && !changed_language && kiosk_->visit().screen() == screens::ScreenId::choose) {
+      const screens::ScreenText reading = kiosk_->visit().reading();
+      const auto other = std::ranges::find_if(reading.controls, [&](const screens::Control& c) {
+        return reading.over == "languages" ? c.on == false : c.id == "language";
+      });
+      if (other != reading.controls.end()) {
+        changed_language = reading.over == "languages";
+        rehearsal::touch_at(kiosk_->visit(), other->rect.x + other->rect.w / 2,
+                            other->rect.y + other->rect.h / 2, now_);
         continue;
       }
     }

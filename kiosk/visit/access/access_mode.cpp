@@ -52,10 +52,9 @@ void AccessMode::watch_hold(const InputEvent& event, const Visit& visit, double 
     if (std::hypot(event.x - held_->x, event.y - held_->y) > kStill * px_per_mm) held_.reset();
   } else if ((event.kind == Kind::pointer_down && event.finger == 0) ||
              (event.kind == Kind::key_down && !event.repeat)) {
-    // At the wheel, a finger or arrow key that stays down is working.
+    // What stays down on the clay is working.
     const bool one_switch = visit.shown_on().one_switch && visit.screen() != ScreenId::attract;
-    if (hold_ > 0 && !one_switch && visit.screen() != ScreenId::throwing)
-      held_ = Hold{now, event.x, event.y, key};
+    if (hold_ > 0 && !one_switch && !visit.works(event)) held_ = Hold{now, event.x, event.y, key};
   }
 }
 

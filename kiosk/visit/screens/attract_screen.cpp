@@ -1,11 +1,13 @@
 #include "kiosk/visit/screens/attract_screen.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "kiosk/visit/screens/demonstration.h"
 #include "kiosk/visit/screens/gallery_page.h"
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/pot_picture.h"
+#include "kiosk/visit/screens/stroke_board.h"
 
 namespace onggi::screens {
 
@@ -23,7 +25,9 @@ constexpr double kLookedAt = 60.0;  // and after the last touch of a visitor who
 /// each pot or on request.
 class Attract final : public Screen {
  public:
-  explicit Attract(Desk& d) : Screen(d), gallery_(d) {}
+  explicit Attract(Desk& d) : Screen(d), picture_(std::make_shared<PotPicture>()), gallery_(d) {
+    desk.attract_picture = picture_;
+  }
   ScreenId id() const override { return ScreenId::attract; }
   std::string first_focus() const override { return "attract.begin"; }
   void press(const std::string& control) override {
@@ -33,6 +37,22 @@ class Attract final : public Screen {
     if (shows_ == Shows::gallery) gallery_.press(control);
   }
   void back() override { turn_to(Shows::pot); }
+  /// On the clay it presses the clay at once. Strokes by buttons begin there too.
+  void begin(const view::InputEvent& e) override {
+    using view::Key;
+    const bool arrow =
+        e.kind == view::InputEvent::Kind::key_down &&
+        (e.key == Key::left || e.key == Key::right || e.key == Key::up || e.key == Key::down);
+    const bool pot = asked_ && desk.pot_ready() && shows_ == Shows::pot;
+    if (pot && (arrow || works(e))) desk.began_on_clay = {e, camera_};
+    const bool clay = desk.began_on_clay || (pot && StrokeBoard::wanted(desk));
+    desk.go(clay ? ScreenId::clay : ScreenId::choose);
+  }
+  bool works(const view::InputEvent& e) const override {
+    if (shows_ != Shows::pot || !asked_ || !desk.pot_ready()) return false;
+    return e.kind == view::InputEvent::Kind::pointer_down &&
+           picture_->on_clay(camera_.on_axis_plane(e.x, e.y));
+  }
   /// A visitor who asked for today's pots can move and touch them; otherwise any touch begins a
   /// visit.
   bool begins_with(const std::string& control) const override {
@@ -61,7 +81,7 @@ class Attract final : public Screen {
       next_pot();
     }
     const ShelfCard* card = desk.shelf_card(desk.attract_card);
-    picture_.update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
+    picture_->update(desk, dt, card != nullptr ? &card->target : nullptr, false, false);
     if (!asked_ || !desk.pot_ready() || card == nullptr) return;
     if (show_) {
       Vec3 right, up, back;
@@ -73,14 +93,14 @@ class Attract final : public Screen {
 
   std::optional<view::PotView> pot(const Page& page) override {
     if (!asked_ || shows_ != Shows::pot) return std::nullopt;
-    view::PotView pot = picture_.view(desk, page);
+    view::PotView pot = picture_->view(desk, page);
     if (done_at_ >= 0 && !desk.still())
       pot.opacity *= std::clamp((done_at_ + kRest - desk.now) / 0.5, 0.0, 1.0);
     return pot;
   }
 
   void lay_out(Page& page) override {
-    camera_ = picture_.camera(page);
+    camera_ = picture_->camera(page);
     const Button begin{"attract.begin", desk.say("attract.begin"), Look::solid};
     if (shows_ != Shows::pot) return gallery_.lay_out(page, {begin}, shows_ == Shows::gallery);
     const TypeScale& t = page.type();
@@ -148,7 +168,7 @@ class Attract final : public Screen {
 
   bool follows() const { return script_ == "follow"; }
 
-  PotPicture picture_;
+  std::shared_ptr<PotPicture> picture_;
   GalleryPage gallery_;
   Shows shows_ = Shows::pot;
   double seen_at_ = 0;  ///< When the gallery was opened or last touched.

@@ -16,6 +16,7 @@ namespace {
 constexpr float kPeek = 0.5f;       // of a card: the visible part of the next column
 constexpr float kSlip = 5.0f / 15;  // of the least touch target: a finger that moves less is a tap
 constexpr float kNarrowest = 9.5f;  // em: card width on a shelf longer than the screen
+constexpr float kLeastPot = 0.28f;  // of the short side: lower pots get wider cards
 constexpr float kLegible = 0.9f;    // of a card on the screen: from here on its words appear
 
 }  // namespace
@@ -159,6 +160,8 @@ void CardShelf::lay_out(Page& page, Column& column) {
   const auto rows_in = [&](float height) {
     return std::max(1, static_cast<int>((height + gap) / (t.body * 6.5f + text_height + gap)));
   };
+  const Rect& all_of = page.where().all;
+  const float least_pot = kLeastPot * std::min(all_of.w, all_of.h);
   rows_ = rows_in(whole.h);
   std::optional<Foot> foot;
   if (rows_ * columns < cards_.count()) {
@@ -170,10 +173,14 @@ void CardShelf::lay_out(Page& page, Column& column) {
       return (whole.w + margin - gap * n) / (n + kPeek);
     };
     while (columns > 1 && too_wide(peeking(columns))) --columns;
-    width = peeking(columns);
-    text_height = words_of_all(page, width);
     foot = foot_room(page, column);
-    rows_ = rows_in(column.rest().h);
+    // Large words take the height of the pots: on wider cards they have fewer lines.
+    for (;; --columns) {
+      width = peeking(columns);
+      text_height = words_of_all(page, width);
+      rows_ = rows_in(column.rest().h);
+      if (columns == 1 || rows_ > 1 || column.rest().h - text_height >= least_pot) break;
+    }
   }
   const int all = (cards_.count() + rows_ - 1) / rows_;
   // For few vessels on a tall screen, use fewer rows with larger pictures.

@@ -58,7 +58,7 @@ class VolumeSteps {
     off_.words = desk.say("comfort.off");
     off_.on = level_ == 0;
     off_.note = name_;
-    off_.look = level_ == 0 ? Look::solid : Look::outline;
+    off_.look = level_ == 0 ? Look::chosen : Look::outline;
     off_size_ = page.size(off_, -1);
     cell_ = std::max(page.type().target, off_size_.height);
     size_ = {off_size_.width + page.type().gap * 0.5f + Comfort::kLoudest * cell_,
@@ -167,7 +167,7 @@ class ChoiceRow {
 void lay_out_comfort(Page& page, const Desk& desk) {
   const TypeScale& t = page.type();
   Column column(page, page.where().page);
-  column.foot_buttons(language_buttons(desk));
+  column.foot_buttons(globe(desk));
   column.foot_space(t.gap);
   std::vector<Button> foot{{"comfort.close", desk.say("comfort.close"), Look::solid}};
   if (desk.screen().one_switch)

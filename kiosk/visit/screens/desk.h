@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,7 @@ namespace onggi::screens {
 struct LabelAt {
   int card = -1, mission = -1;  ///< As Desk's.
 };
+class PotPicture;
 
 /// Shared state of a visit's screens: the world, the newest status, requests to the program, and
 /// everything about the visitor. forget() clears the visitor's part.
@@ -53,6 +55,14 @@ class Desk {
   std::string kept_as, kept_at, kept_in;
   view::PictureId postcard = 0;
 
+  /// Attract's picture of its pot, and the finger or arrow on its clay that began the visit: the
+  /// clay screen goes on with both.
+  std::shared_ptr<PotPicture> attract_picture;
+  struct Began {
+    view::InputEvent event;
+    view::Camera camera;
+  };
+  std::optional<Began> began_on_clay;
   int attract_card = -1;  ///< Attract's vessel; advances along the shelf, with or without visitors.
   std::size_t attract_turn = 0;  ///< Attract's script; advances through the scripts.
 

@@ -160,7 +160,7 @@ class KilnScreen final : public Screen {
     std::vector<Button> row;
     for (int i = 0; i < static_cast<int>(kiln_.glazes->size()); ++i) {
       Button button{glaze_control(i), glaze_at(i).name_in(desk.words().code()),
-                    i == desk.glaze ? Look::solid : Look::outline};
+                    i == desk.glaze ? Look::chosen : Look::outline};
       button.on = i == desk.glaze;
       button.swatch = display(content::swatch(glaze_at(i).look));
       row.push_back(std::move(button));

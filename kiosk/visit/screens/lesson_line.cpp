@@ -51,6 +51,14 @@ const LessonStep* LessonLine::shown(const Desk& desk) {
                                                                 : nullptr;
 }
 
+std::string LessonLine::by_keys(const Desk& desk, DoneWhen until) {
+  // Left hands work on the left of the pot.
+  const bool left = desk.screen().left_handed;
+  const std::string_view done = content::kDoneWhen[static_cast<std::size_t>(until)];
+  return desk.say("lesson_keys." + std::string(done),
+                  {{"out", left ? "←" : "→"}, {"in", left ? "→" : "←"}});
+}
+
 void LessonLine::skip(Desk& desk) {
   if (desk.world.lesson != nullptr) desk.lesson_step = desk.world.lesson->size();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "kiosk/visit/screens/desk.h"
 
@@ -17,6 +18,8 @@ class LessonLine {
   /// The step to show now; null if there is none or the lesson is over.
   static const content::LessonStep* shown(const Desk& desk);
   static void skip(Desk& desk);
+  /// What the arrow keys do for a step, in the desk's language.
+  static std::string by_keys(const Desk& desk, content::DoneWhen until);
 
  private:
   void watch(const Desk& desk, double dt, const Profile* target, const Profile& made);

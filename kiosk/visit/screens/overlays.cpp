@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace onggi::screens {
 
@@ -10,39 +11,29 @@ using view::Face;
 namespace {
 constexpr float kHelpLine = 0.52f * 55,
                 kHelpKeys = 12;  // em: width of a line, and least width beside it
+constexpr std::string_view kGlobe =
+    "arc 12,12 9,9 0 360; arc 12,12 4.2,9 0 360; 12,3 12,21; 3,12 21,12; 4.2,7.5 19.8,7.5; "
+    "4.2,16.5 19.8,16.5";
 }  // namespace
 
-std::vector<Button> language_buttons(const Desk& desk) {
-  std::vector<Button> row;
-  const auto& all = *desk.world.languages;
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    const auto& other = all[(desk.language + k) % all.size()];
-    Button button{k == 1 ? "language" : "language." + other.code(), other.name(), Look::quiet};
-    button.language = other.code();
-    row.push_back(std::move(button));
-  }
-  return row;
-}
-
-std::optional<std::size_t> language_of(const Desk& desk, const std::string& control) {
-  const auto& all = *desk.world.languages;
-  if (control == "language") return (desk.language + 1) % all.size();
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (control == "language." + all[i].code()) return i;
-  return std::nullopt;
+std::vector<Button> globe(const Desk& desk) {
+  if (desk.world.languages->size() < 2) return {};
+  Button button{"language", desk.say("all.language"), Look::quiet};
+  button.drawing = kGlobe;
+  return {std::move(button)};
 }
 
 std::vector<Button> standing_buttons(const Desk& desk, bool with_back) {
-  std::vector<Button> row;
+  std::vector<Button> row = globe(desk);
   if (with_back) row.push_back({"back", desk.say("all.back"), Look::quiet});
   row.push_back({"help", desk.say("all.help"), Look::quiet});
-  for (Button& b : reading_buttons(desk)) row.push_back(std::move(b));
+  row.push_back({"comfort", desk.say("all.comfort"), Look::quiet});
   return row;
 }
 
 std::vector<Button> reading_buttons(const Desk& desk) {
-  std::vector<Button> row{{"comfort", desk.say("all.comfort"), Look::quiet}};
-  for (Button& b : language_buttons(desk)) row.push_back(std::move(b));
+  std::vector<Button> row = globe(desk);
+  row.push_back({"comfort", desk.say("all.comfort"), Look::quiet});
   return row;
 }
 

@@ -9,13 +9,12 @@
 
 namespace onggi::screens {
 
-/// Back, Help, Comfort and the other languages, at the foot of every screen.
+/// The globe, Back, Help and Comfort, at the foot of every screen.
 std::vector<Button> standing_buttons(const Desk& desk, bool with_back);
-/// The controls that make an overlay legible: Comfort and the other languages.
+/// The controls that make an overlay legible: the globe and Comfort.
 std::vector<Button> reading_buttons(const Desk& desk);
-/// "language" for the language after the current one, "language.CODE" for others.
-std::vector<Button> language_buttons(const Desk& desk);
-std::optional<std::size_t> language_of(const Desk& desk, const std::string& control);
+/// The globe, "language", which opens the page of languages; none if there is only one.
+std::vector<Button> globe(const Desk& desk);
 
 /// An overlay, which replaces the screen's words.
 void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& paragraphs,

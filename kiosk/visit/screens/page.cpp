@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/visit/screens/pen_strokes.h"
 #include "kiosk/visit/screens/star_drawing.h"
 
 namespace onggi::screens {
@@ -16,6 +17,7 @@ namespace {
 // Pango rounds to its own units. A line measured to the pixel must not break because of that.
 constexpr float kSlack = 4.0f;
 constexpr float kButtonLine = 1.2f;
+constexpr float kTint = 0.12f;  // of cobalt, on a choice that is on
 }  // namespace
 
 view::TextStyle Page::style(Face face, float px, Align align) const {
@@ -58,7 +60,7 @@ Padding padding(const Button& button, const TypeScale& t) {
   if (button.look == Look::quiet || button.look == Look::plain) return {0, t.body * 0.2f};
   return {t.body * (button.tight ? 0.35f : 0.7f), t.body * 0.32f};
 }
-float swatch_width(const TypeScale& t) { return t.body * 1.2f; }
+float swatch_width(const TypeScale& t) { return t.body * 1.45f; }
 view::TextStyle button_style(const Page& page, const Button& button) {
   view::TextStyle s = page.style(Face::sans, page.type().body, Align::centre);
   s.line_height = kButtonLine;
@@ -68,6 +70,7 @@ view::TextStyle button_style(const Page& page, const Button& button) {
 }  // namespace
 
 view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
+  if (!button.drawing.empty()) return {type().target, type().target};
   const Padding pad = padding(button, type());
   const auto style = button_style(*this, button);
   const float aside = button.swatch ? swatch_width(type()) : 0;
@@ -84,16 +87,21 @@ view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
 }
 
 void Page::button(const Button& button, const Rect& rect) {
-  if (!button.id.empty()) touched({button.id, rect, button.words, button.on, button.note});
+  if (!button.id.empty())
+    touched({button.id, rect, button.spoken.empty() ? button.words : button.spoken, button.on,
+             button.note});
   if (!button.other.empty()) {
     switch_halves(button, rect);
+  } else if (!button.drawing.empty()) {
+    drawn(button, rect);
   } else {
     const Padding pad = padding(button, type());
     const auto style = button_style(*this, button);
     const float aside = button.swatch ? swatch_width(type()) : 0;
     const float inner = rect.w - 2 * pad.x - aside;
     const auto text = size(button.words, style, inner);
-    const Rect box{rect.x + pad.x + aside, rect.y + (rect.h - text.height) / 2, inner, text.height};
+    const Rect box{rect.x + pad.x + (right_to_left() ? 0 : aside),
+                   rect.y + (rect.h - text.height) / 2, inner, text.height};
     const bool held = sheet_.attention.pressed == button.id && !button.id.empty();
     const float radius = type().body * 0.14f;
     Color ink = view::kCobalt;
@@ -106,9 +114,14 @@ void Page::button(const Button& button, const Rect& rect) {
         draw(view::Box{rect, radius, held ? view::kHeldCobalt : view::kCobalt, 0, {}});
         break;
       case Look::outline:
-        draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, held ? 0.18f : 0.0f),
-                       type().hairline * 1.5f, view::kCobalt});
+      case Look::chosen:
+      case Look::called: {
+        const float tint = held ? 0.18f : button.look == Look::outline ? 0.0f : kTint;
+        const float line = button.look == Look::outline ? 1.5f : 3.0f;
+        draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, tint), type().hairline * line,
+                       view::kCobalt});
         break;
+      }
       case Look::quiet: {
         if (held) draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, 0.14f), 0, {}});
         const float y = std::round(box.y + box.h) + type().hairline * 1.5f;
@@ -118,16 +131,44 @@ void Page::button(const Button& button, const Rect& rect) {
       }
     }
     if (button.swatch) {
-      const float d = type().body * 0.9f;
-      draw(view::Box{{rect.x + pad.x * 0.8f, rect.y + (rect.h - d) / 2, d, d},
-                     d / 2,
-                     *button.swatch,
-                     std::max(1.0f, d * 0.05f),
-                     view::with_alpha(ink, 0.6f)});
+      const float w = type().body * 1.15f, h = std::min(rect.h * 0.76f, type().body * 1.7f);
+      const float at = right_to_left() ? rect.x + rect.w - pad.x * 0.8f - w : rect.x + pad.x * 0.8f;
+      test_tile({at, rect.y + (rect.h - h) / 2, w, h}, *button.swatch);
     }
-    words(box, button.words, style, ink);
+    if (!button.words.empty()) words(box, button.words, style, ink);
+    if (button.look == Look::chosen) tick(rect);
   }
   if (!button.id.empty() && sheet_.attention.focused == button.id) focus_ring(rect);
+}
+
+/// As potters try a glaze: on a tile whose foot stays bare.
+void Page::test_tile(const Rect& r, Color glaze) {
+  const float line = std::max(1.0f, type().hairline), round = r.w * 0.14f, foot = r.h * 0.24f;
+  draw(view::Box{r, round, view::kDryClay, line, view::with_alpha(view::kInk, 0.6f)});
+  const Rect coat{r.x + line, r.y + line, r.w - 2 * line, r.h - foot - line};
+  draw(view::Box{coat, round, glaze, 0, {}});
+  // Thicker where it ran to, and a shine from the window.
+  draw(view::Box{{coat.x, coat.y + coat.h - foot * 0.35f, coat.w, foot * 0.35f},
+                 foot * 0.17f,
+                 view::with_alpha(view::kInk, 0.18f),
+                 0,
+                 {}});
+  draw(view::Box{{coat.x + coat.w * 0.2f, coat.y + coat.h * 0.15f, coat.w * 0.16f, coat.h * 0.5f},
+                 coat.w * 0.08f,
+                 {1, 1, 1, 0.45f},
+                 0,
+                 {}});
+}
+
+void Page::drawn(const Button& button, const Rect& rect) {
+  if (sheet_.attention.pressed == button.id)
+    draw(view::Box{rect, rect.w / 2, view::with_alpha(view::kCobalt, 0.14f), 0, {}});
+  const float side = std::min(rect.w, rect.h), unit = side / 24;
+  const float x = rect.x + (rect.w - side) / 2, y = rect.y + (rect.h - side) / 2;
+  for (PenStroke stroke : pen_strokes(button.drawing)) {
+    for (auto& [px, py] : stroke) px = x + px * unit, py = y + py * unit;
+    draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, unit * 1.1f)});
+  }
 }
 
 void Page::switch_halves(const Button& button, const Rect& rect) {
@@ -139,14 +180,30 @@ void Page::switch_halves(const Button& button, const Rect& rect) {
   for (const bool second : {false, true}) {
     const Rect side{rect.x + (second != right_to_left() ? half : 0), rect.y, half, rect.h};
     const bool on = second == button.other_on;
-    if (on) draw(view::Box{side, radius, view::kCobalt, 0, {}});
+    if (on)
+      draw(view::Box{side, radius, view::with_alpha(view::kCobalt, kTint), type().hairline * 3.0f,
+                     view::kCobalt});
     const std::string& text = second ? button.other : button.words;
     const float pad = type().body * 0.35f;
     const auto text_size = size(text, style, side.w - 2 * pad);
     words({side.x + pad, side.y + (side.h - text_size.height) / 2, side.w - 2 * pad,
            text_size.height},
-          text, style, on ? view::kPlaster : view::kCobalt);
+          text, style, view::kCobalt);
+    if (on) tick(side);
   }
+}
+
+void Page::tick(const Rect& rect) {
+  // No larger than the least space beside words, so that it hides none, and needs no room of its
+  // own: nothing moves when a choice is made.
+  const float d = type().body * 0.7f, unit = d / 24;
+  const float x = (right_to_left() ? rect.x : rect.x + rect.w) - d / 2, y = rect.y - d / 2;
+  draw(view::Box{{x, y, d, d}, d / 2, view::kCobalt, 0, {}});
+  draw(view::Line{{{x + 6.5f * unit, y + 12.5f * unit},
+                   {x + 10.5f * unit, y + 16.5f * unit},
+                   {x + 17.5f * unit, y + 8 * unit}},
+                  {view::kPlaster},
+                  std::max(1.5f, 3 * unit)});
 }
 
 void Page::touched(const Control& control) {
@@ -193,7 +250,7 @@ void Column::text(const std::string& words, float px, Face face, Color color, Al
   check();
 }
 
-float Column::flow(const std::vector<Button>& row, float indent,
+float Column::flow(const std::vector<Button>& row, float indent, float end,
                    std::vector<Placed>& placed) const {
   const float gap = page_.type().gap;
   float x = indent, y = 0, row_height = 0;
@@ -202,11 +259,11 @@ float Column::flow(const std::vector<Button>& row, float indent,
     for (; row_begin < placed.size(); ++row_begin) placed[row_begin].rect.h = row_height;
   };
   for (const Button& button : row) {
-    const float widest = box_.w - indent;
+    const float widest = end - indent;
     const float spread = button.look == Look::quiet ? gap * 2 : gap;
     const auto size = page_.size(button, widest);
     if (size.width > widest + 1) page_.overflowed();
-    if (x > indent && x + size.width > box_.w) {
+    if (x > indent && x + size.width > end) {
       level();
       x = indent;
       y += row_height + gap;
@@ -241,17 +298,32 @@ void Column::place(std::vector<Placed>& placed, float y, const std::string& capt
 void Column::buttons(const std::vector<Button>& row, const std::string& caption,
                      float caption_width) {
   std::vector<Placed> placed;
-  const float height = flow(row, caption.empty() ? 0 : caption_width + page_.type().gap, placed);
+  const float indent = caption.empty() ? 0 : caption_width + page_.type().gap;
+  const float height = flow(row, indent, box_.w, placed);
   into_reach();
   top_ += height;
   place(placed, top_ - height, caption, caption_width);
 }
 
-void Column::foot_buttons(const std::vector<Button>& row, const std::string& caption,
-                          float caption_width) {
+void Column::foot_buttons(std::vector<Button> row) {
   std::vector<Placed> placed;
-  foot_ -= flow(row, caption.empty() ? 0 : caption_width + page_.type().gap, placed);
-  place(placed, foot_, caption, caption_width);
+  const auto corner = std::ranges::find_if(row, [](const Button& b) { return !b.drawing.empty(); });
+  if (corner == row.end()) {
+    foot_ -= flow(row, 0, box_.w, placed);
+    return place(placed, foot_, {}, 0);
+  }
+  const Button drawn = *corner;
+  row.erase(corner);
+  const auto size = page_.size(drawn, box_.w);
+  const float aside = size.width + 2 * page_.type().gap;
+  const bool first = page_.where().mirrored == page_.right_to_left();
+  const float high =
+      std::max(flow(row, first ? aside : 0, first ? box_.w : box_.w - aside, placed), size.height);
+  placed.push_back({drawn,
+                    {first ? box_.x : box_.x + box_.w - size.width, high - size.height, size.width,
+                     size.height}});
+  foot_ -= high;
+  place(placed, foot_, {}, 0);
 }
 
 std::size_t Column::abreast(const std::vector<Button>& cells) const {

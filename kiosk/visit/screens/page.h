@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,9 @@ struct Attention {
 enum class Look {
   quiet,    ///< Words with a hairline below.
   outline,  ///< Words in a hairline frame.
-  solid,    ///< The main step onward of a screen, or a switch that is on.
+  chosen,   ///< An outline with a tint and a tick at its corner: a switch or a choice that is on.
+  called,   ///< An outline with a tint: it would help now.
+  solid,    ///< The main step onward: at most one on a screen.
   plain,    ///< Words among buttons; cannot be pressed.
 };
 
@@ -42,11 +45,15 @@ struct Button {
   std::string room = {};   ///< Space is reserved for this longest text, if the words change.
   std::string other = {};  ///< A switch: `words` | `other`, one of them on.
   bool other_on = false;
-  std::optional<view::Color> swatch = {};  ///< A disc of this colour before the words.
-  bool tight = false;                      ///< Less space beside the words.
+  std::optional<view::Color> swatch = {};  ///< A test tile of this glaze before the words.
+  /// A drawing in place of the words (pen_strokes). In a row of foot_buttons() it stands in the
+  /// words' outer corner of the page, the same place on every screen.
+  std::string_view drawing = {};
+  bool tight = false;           ///< Less space beside the words.
   std::string language = {};    ///< Language code of the words, if it differs from the page's.
   std::optional<bool> on = {};  ///< State for speech, if the button stays on.
   std::string note = {};        ///< Control::note.
+  std::string spoken = {};      ///< Its name for speech, if its words are drawn elsewhere.
 };
 
 struct Sheet {
@@ -108,6 +115,10 @@ class Page {
  private:
   void focus_ring(const view::Rect& rect);
   void touched(const Control& control);
+  void test_tile(const view::Rect& rect, view::Color glaze);
+  void drawn(const Button& button, const view::Rect& rect);
+  /// The tick at the far upper corner of a choice that is on.
+  void tick(const view::Rect& rect);
   void switch_halves(const Button& button, const view::Rect& rect);
 
   Measuring& measuring_;
@@ -136,8 +147,7 @@ class Column {
   /// first in a column of `caption_width`.
   void buttons(const std::vector<Button>& row, const std::string& caption = {},
                float caption_width = 0);
-  void foot_buttons(const std::vector<Button>& row, const std::string& caption = {},
-                    float caption_width = 0);
+  void foot_buttons(std::vector<Button> row);
   /// Buttons of equal width and at least `height`, side by side if their words fit: all in a row,
   /// half of them, or one. A button without an id keeps its place and is not drawn. `mirrored`:
   /// from the far side.
@@ -159,8 +169,9 @@ class Column {
     Button button;
     view::Rect rect;
   };
-  /// Rows for `row` from y = 0 and x = indent; returns their height.
-  float flow(const std::vector<Button>& row, float indent, std::vector<Placed>& placed) const;
+  /// Rows for `row` from y = 0, between x = indent and x = end; returns their height.
+  float flow(const std::vector<Button>& row, float indent, float end,
+             std::vector<Placed>& placed) const;
   void place(std::vector<Placed>& placed, float y, const std::string& caption, float caption_width);
 
   Page& page_;

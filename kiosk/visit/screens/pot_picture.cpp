@@ -6,6 +6,8 @@
 namespace onggi::screens {
 
 namespace {
+constexpr double kBeside = 0.008;  // m
+
 /// One step of an exponential approach with time constant `tau`. It ends when the rest is
 /// invisible.
 double eased(double from, double to, double dt, double tau) {
@@ -42,6 +44,11 @@ void PotPicture::update(const Desk& desk, double dt, const Profile* target, bool
   const double open = cut ? 1.0 : 0.0, there = desk.pot_ready() ? 1.0 : 0.0;
   cut_ = desk.still() ? open : eased(cut_, open, dt, 0.12);
   shown_ = desk.still() ? there : std::clamp(shown_ + (there > 0 ? dt : -dt) / 0.4, 0.0, 1.0);
+}
+
+bool PotPicture::on_clay(Vec2 at) const {
+  if (made_.points.empty() || at.y < -kBeside || at.y > made_.height() + kBeside) return false;
+  return std::abs(at.x) < made_.outer_at(std::clamp(at.y, 0.0, made_.height())) + kBeside;
 }
 
 view::Camera PotPicture::camera(const Page& page) const {

@@ -23,6 +23,9 @@ class PotPicture {
   view::Camera camera(const Page& page) const;
   /// The outline of the clay, updated at most about 8 times a second. Empty before the first pot.
   const Profile& made() const { return made_; }
+  /// True if `at` (x right of the axis, y height, metres) is on the clay, or a finger's width
+  /// beside it.
+  bool on_clay(Vec2 at) const;
 
  private:
   view::Camera frame(const Page& page) const;

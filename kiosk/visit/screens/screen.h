@@ -31,6 +31,10 @@ class Screen {
   virtual void back() = 0;
   /// Attract: a touch on `control` (or nowhere: "") begins a visit.
   virtual bool begins_with(const std::string& /*control*/) const { return true; }
+  /// Attract: the touch or key that begins the visit; goes to its first screen.
+  virtual void begin(const view::InputEvent&) {}
+  /// True if this finger or key would press the clay.
+  virtual bool works(const view::InputEvent&) const { return false; }
   /// The control where the keyboard starts.
   virtual std::string first_focus() const = 0;
 

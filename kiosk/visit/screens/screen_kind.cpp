@@ -2,6 +2,7 @@
 
 #include "kiosk/visit/screens/attract_screen.h"
 #include "kiosk/visit/screens/choose_screen.h"
+#include "kiosk/visit/screens/clay_screen.h"
 #include "kiosk/visit/screens/fault_screen.h"
 #include "kiosk/visit/screens/keepsake_screen.h"
 #include "kiosk/visit/screens/kiln_screen.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr ScreenKind kKinds[] = {
     {.id = ScreenId::attract, .name = "attract", .make = make_attract},
+    {.id = ScreenId::clay, .name = "clay", .make = make_clay},
     {.id = ScreenId::choose, .name = "choose", .make = make_choose},
     {.id = ScreenId::throwing, .name = "throw", .make = make_throwing},
     {.id = ScreenId::result, .name = "result", .make = make_result, .reads_long = true},

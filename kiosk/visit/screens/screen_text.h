@@ -13,7 +13,7 @@ namespace onggi::screens {
 /// The content of the screen as plain values: speech, the one switch and tests read only this.
 struct ScreenText {
   ScreenId screen = ScreenId::attract;
-  std::string over;                             ///< "help", "comfort", "idle", or empty.
+  std::string over;  ///< "help", "comfort", "languages", "idle", or empty.
   const content::Language* language = nullptr;  ///< Outlives the visit.
   std::vector<std::string> words;               ///< The text from the top down, without controls.
   std::vector<Control> controls;                ///< In reading order.

@@ -52,7 +52,7 @@ void ShowMe::stop(device::PointerLead& hands) { finger_.stop(hands); }
 Button ShowMe::button(const Desk& desk, bool away) const {
   return {away ? "" : "throw.show", desk.say("throw.show"),
           away                   ? Look::plain
-          : showing() && !asked_ ? Look::solid
+          : showing() && !asked_ ? Look::chosen
                                  : Look::outline};
 }
 

@@ -140,18 +140,18 @@ void StrokeBoard::lay_out(Column& column, const Desk& desk, const std::vector<Bu
   for (int n = 0; n < device::kAsks; ++n) {
     const Ask ask = static_cast<Ask>(n);
     const bool made = working && ask == last_;
-    what.push_back(
-        {kAskControl + std::to_string(n), ask_name(desk, ask), made ? Look::solid : Look::outline});
+    what.push_back({kAskControl + std::to_string(n), ask_name(desk, ask),
+                    made ? Look::chosen : Look::outline});
   }
   for (int n = 0; n < device::kWallParts; ++n) {
     const WallPart part = static_cast<WallPart>(n);
     where.push_back({kPartControl + std::to_string(n), part_name(desk, part),
-                     part == part_ ? Look::solid : Look::outline});
+                     part == part_ ? Look::chosen : Look::outline});
     where.back().on = part == part_;
     if (static_cast<std::size_t>(n) < parts.size() && desk.described() == nullptr)
       where.back().note = off_in_words(desk, parts[static_cast<std::size_t>(n)]);
   }
-  const Button tell{"throw.tell", desk.say("stroke.tell"), telling_ ? Look::solid : Look::outline};
+  const Button tell{"throw.tell", desk.say("stroke.tell"), telling_ ? Look::chosen : Look::outline};
   beside.push_back(tell);
   for (auto* cells : {&beside, &what, &where})
     for (Button& cell : *cells) cell.tight = true;

@@ -24,8 +24,10 @@ std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   for (const std::string& key : DeviceNews::keys()) all.push_back(desk.say(key));
   for (const char* key : ShowMe::kKeys) all.push_back(desk.say(key));
   if (desk.world.lesson != nullptr)
-    for (const content::LessonStep& step : *desk.world.lesson)
+    for (const content::LessonStep& step : *desk.world.lesson) {
       all.push_back(step.words_in(desk.words().code()));
+      all.push_back(LessonLine::by_keys(desk, step.until));
+    }
   return all;
 }
 
@@ -63,7 +65,8 @@ float longest_telling(const Page& page, const Desk& desk, float width) {
   return longest;
 }
 
-void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint) {
+void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint,
+                     bool by_keys) {
   Page& page = column.page();
   const TypeScale& t = page.type();
   const view::Rect room = column.rest();
@@ -79,8 +82,9 @@ void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const
   Column sentence(page, words);
   sentence.text(told              ? desk.say(news)
                 : show.showing()  ? desk.say(show.key())
-                : step != nullptr ? step->words_in(desk.words().code())
-                                  : words_of(hint, desk),
+                : step == nullptr ? words_of(hint, desk)
+                : by_keys         ? LessonLine::by_keys(desk, step->until)
+                                  : step->words_in(desk.words().code()),
                 t.lead);
   if (told) return;
   const view::Rect slip = slip_for(page, room, longest + t.gap, right_to_left);

@@ -7,7 +7,9 @@ namespace onggi::screens {
 /// The one sentence beside the pot, with a small drawing of the hands: a fault or device news
 /// first, then "Show me", the lesson's step, the hint. Space for the longest sentence is reserved,
 /// so that no control moves under a finger.
-void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint);
+/// `by_keys`: the visitor last used the keyboard, so the lesson names its keys.
+void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint,
+                     bool by_keys);
 
 /// Height of the longest of those sentences, `width` pixels wide.
 float longest_telling(const Page& page, const Desk& desk, float width);

@@ -35,12 +35,12 @@ Button tools_button(const Desk& desk, const ThrowingControls& now) {
   // Show the held tool, because a visitor chooses another one here.
   const bool tool = now.held > 0;
   return {kToolsWay, tool ? ToolTray::name_of(desk, now.held) : closed,
-          tool ? Look::solid : Look::outline, longest};
+          tool ? Look::chosen : Look::outline, longest};
 }
 
 /// The buttons to the drawers, or back.
 std::vector<Button> ways(const Desk& desk, const ThrowingControls& now) {
-  if (now.drawer != Drawer::closed) return {{kCloseWay, desk.say(kCloseWay), Look::solid}};
+  if (now.drawer != Drawer::closed) return {{kCloseWay, desk.say(kCloseWay), Look::outline}};
   std::vector<Button> both{{kWheelWay, desk.say(kWheelWay), Look::outline}};
   // Two visitors with bare hands have nothing to choose.
   if (!desk.wheel().tools.empty() || !desk.two_hands())
@@ -65,8 +65,11 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
         desk.status.can_restore);
   } else {
     const bool blinks = now.dry && std::fmod(desk.now, kBlink) < kBlink / 2;
-    add("throw.water", "throw.water", now.water || blinks ? Look::solid : Look::outline, true,
-        now.water);
+    add("throw.water", "throw.water",
+        now.water ? Look::chosen
+        : blinks  ? Look::called
+                  : Look::outline,
+        true, now.water);
     // Reserve its place, unless the exhibit never shows it.
     if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
       add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
@@ -173,7 +176,7 @@ DrawerRow hand_row(const Desk& desk, const ThrowingControls& now) {
   for (const auto& [id, which] : {std::pair("throw.both", Grip::both),
                                   {"throw.outside", Grip::outside},
                                   {"throw.inside", Grip::inside}}) {
-    row.buttons.push_back({id, desk.say(id), now.grip == which ? Look::solid : Look::outline});
+    row.buttons.push_back({id, desk.say(id), now.grip == which ? Look::chosen : Look::outline});
     row.buttons.back().on = now.grip == which;
   }
   return row;
@@ -184,7 +187,7 @@ std::vector<DrawerRow> wheel_rows(const Desk& desk, const ThrowingControls& now)
     const auto turns = static_cast<int>(std::lround(speed * 60.0 / (2 * 3.14159265358979)));
     return desk.say("throw.rpm", {{"rpm", std::to_string(turns)}});
   };
-  Button cut{"throw.cut", desk.say("throw.cut"), now.cut ? Look::solid : Look::outline};
+  Button cut{"throw.cut", desk.say("throw.cut"), now.cut ? Look::chosen : Look::outline};
   cut.on = now.cut;
   std::vector<DrawerRow> rows{
       {desk.say(kWheelWay),
@@ -204,10 +207,8 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
   std::vector<DrawerRow> rows;
   if (now.drawer == Drawer::wheel) {
     rows = wheel_rows(desk, now);
-  } else {
-    ToolTray::lay_out(column, desk, now.held);
-    column.space(t.gap);
-    if (!desk.two_hands()) rows.push_back(hand_row(desk, now));
+  } else if (!desk.two_hands()) {
+    rows.push_back(hand_row(desk, now));
   }
   float captions = 0;
   for (const DrawerRow& row : rows)
@@ -266,6 +267,7 @@ std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk
   for (const Drawer open : {Drawer::tools, Drawer::wheel})
     least = std::min(least,
                      left_of(open, Mishap::none, [&](Column& column, const ThrowingControls& then) {
+                       most_used(column, desk, then);
                        drawer(column, desk, then);
                      }));
   if (now.board) {
@@ -275,6 +277,22 @@ std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk
       least = std::min(least, closed(what));
   }
   return reached ? std::optional(least) : std::nullopt;
+}
+
+/// The tray lies over the pot, as far as it is in reach.
+view::Rect tray_room(const Page& page) {
+  const Regions& r = page.where();
+  view::Rect room = r.pot;
+  const float margin = page.type().margin;
+  if (r.portrait) {
+    room.x = r.page.x, room.w = r.page.w;
+  } else {
+    room.x = r.mirrored ? r.all.x + margin : r.words.x + r.words.w + margin;
+    room.w = r.all.w - r.words.w - 3 * margin;
+  }
+  room.h += std::min(0.0f, room.y - r.reach);
+  room.y = std::max(room.y, r.reach);
+  return room;
 }
 
 }  // namespace
@@ -358,14 +376,15 @@ void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now,
                       const Hint& hint) {
   Column column(page, page.where().words);
   standing(column, desk, now);
-  if (now.drawer != Drawer::closed) return drawer(column, desk, now);
   most_used(column, desk, now);
+  if (now.drawer == Drawer::tools) ToolTray::lay_out(page, tray_room(page), desk, now.held);
+  if (now.drawer != Drawer::closed) return drawer(column, desk, now);
   if (now.board)
     return now.board->lay_out(column, desk, ways(desk, now), now.parts, now.working,
                               sentence_of(desk, now, hint));
   heading(column, desk, now);
   if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);
-  lay_out_telling(column, desk, show, hint);
+  lay_out_telling(column, desk, show, hint, now.by_keys);
 }
 
 }  // namespace onggi::screens

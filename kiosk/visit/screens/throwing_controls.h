@@ -13,7 +13,8 @@
 
 namespace onggi::screens {
 
-/// The two drawers at the wheel. tools: a hand's tools. wheel: wheel, clay and force.
+/// The two drawers at the wheel, in place of the hint. tools: a hand's tools, over the pot. wheel:
+/// wheel, clay and force.
 enum class Drawer { closed, tools, wheel };
 
 /// The control that opens the drawer with `control`; "" if it is in no drawer.
@@ -36,6 +37,7 @@ struct ThrowingControls {
   const StrokeBoard* board = nullptr;  ///< Strokes by buttons, and the questions about them.
   std::vector<PartOff> parts = {};
   bool working = false;
+  bool by_keys = false;  ///< The visitor last used the keyboard.
 };
 
 /// The control that a key presses at the wheel, visible or not; null: none. `repeats`: again and

@@ -29,7 +29,8 @@ using view::Key;
 
 namespace {
 
-constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
+constexpr double kLookIn = 0.8;        // s that the pot stays cut away after a hand was inside
+constexpr double kBehindTools = 0.12;  // opacity of the pot
 
 class Throwing final : public Screen {
  public:
@@ -86,7 +87,9 @@ class Throwing final : public Screen {
 
   std::optional<view::PotView> pot(const Page& page) override {
     if (dark()) return std::nullopt;
-    return picture_.view(desk, page);
+    view::PotView pot = picture_.view(desk, page);
+    if (drawer_ == Drawer::tools) pot.opacity *= kBehindTools;
+    return pot;
   }
   bool dark() const override { return desk.eyes_closed(); }
 
@@ -124,11 +127,12 @@ class Throwing final : public Screen {
                                mishap_.now(),
                                StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
                                parts(),
-                               working()};
+                               working(),
+                               by_keys_};
     give_the_pot_its_room(page, desk, now);
     camera_ = picture_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card);
-        card != nullptr && desk.pot_ready() && !dark()) {
+        card != nullptr && desk.pot_ready() && !dark() && drawer_ != Drawer::tools) {
       if (desk.described() == nullptr) draw_ghost(page, camera_, card->target, picture_.made());
       if (const auto& press = hint_.shown().press;
           press && !hands_.grabbed() && whole && LessonLine::shown(desk) == nullptr)
@@ -202,11 +206,12 @@ class Throwing final : public Screen {
 
   void pointer(const InputEvent& e, const Page& page) override {
     // With two visitors, the one at the buttons stays there.
-    if (!hands_.two()) menu_ = false;
+    if (!hands_.two()) menu_ = by_keys_ = false;
     if (!desk.pot_ready() || desk.world.wheel->clay.rows() == 0 || cut_off_) return;
     const bool down = e.kind == InputEvent::Kind::pointer_down;
     if (down && (e.finger == 0 || hands_.two())) {
       if (page.where().words.contains(e.x, e.y)) return;
+      if (drawer_ == Drawer::tools) return open_drawer(Drawer::closed);
       if (!menu_) open_drawer(Drawer::closed);
       mishap_.stay();
       // Hands that still finish a stroke would cross the pot to the next one. With two visitors the
@@ -219,6 +224,7 @@ class Throwing final : public Screen {
   }
 
   bool key(Key key, bool repeat) override {
+    by_keys_ = true;
     if (const KeyedControl pressed = control_of(key); pressed.control != nullptr) {
       const bool there = key != Key::restore || desk.status.can_restore;
       if (there && (!repeat || pressed.repeats)) press(pressed.control);
@@ -247,6 +253,7 @@ class Throwing final : public Screen {
     return false;
   }
 
+  bool works(const InputEvent&) const override { return true; }
   bool keys_are_anothers() const override { return hands_.two(); }
 
   void let_go() override {
@@ -303,12 +310,12 @@ class Throwing final : public Screen {
     const SceneForVisitor wheel = desk.wheel();
     if (which > wheel.tools.size() || cut_off_) return;
     let_go();
+    if (drawer_ == Drawer::tools) open_drawer(Drawer::closed);  // the pot is seen again
     const WallHold::Part fine{0, wheel.tool_radius};
     if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
       desk.world.wheel_commands->wheel(0);
       set_water(false);
       cut_off_.emplace(*wheel.wire);
-      open_drawer(Drawer::closed);
       return;
     }
     held_ = which;
@@ -386,7 +393,7 @@ class Throwing final : public Screen {
   MeasuredPot measured_;
   Grip grip_ = Grip::both;
   bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, done_ = false,
-       worked_ = false;
+       by_keys_ = false, worked_ = false;
   int strokes_ = 0;  ///< Finished strokes.
   double inside_until_ = -1;
   std::uint32_t serial_ = 0;

@@ -16,8 +16,9 @@ using view::Rect;
 namespace {
 
 constexpr std::string_view kControl = "throw.tool.";
-constexpr float kDrawn = 1.5f;    // em: side of a drawing
-constexpr float kLeading = 1.2f;  // of a name on several lines
+constexpr float kDrawn = 1.5f, kDrawnLarge = 2.4f;  // em: side of a drawing
+constexpr float kLeading = 1.2f;                    // of words on several lines
+constexpr std::size_t kMostAbreast = 3;
 
 /// One on each face of a wall.
 constexpr std::string_view kBareHands =
@@ -29,17 +30,22 @@ std::string_view drawing_of(const std::string& tool) {
   return shape != nullptr && !shape->drawing.empty() ? shape->drawing : kBareHands;
 }
 
-/// Layout of the tray: cells side by side, each with a drawing and its name; a row is as high as
-/// its highest cell.
+std::string id_of(const Desk& desk, std::size_t which) {
+  return "tool." + (which == 0 ? "hands" : desk.wheel().tools[which - 1].name);
+}
+
+/// Layout of the tray: cells side by side, each with a drawing, its name and what it does; a row is
+/// as high as its highest cell.
 struct TrayGrid {
   std::size_t columns = 1;
-  float cell = 0, drawing = 0, name = 0;  ///< Widths.
+  bool explained = true;
+  float cell = 0, drawing = 0, words = 0;  ///< Widths.
   std::vector<float> rows;
   float height = 0;
   bool fits = false;
 };
 
-view::TextStyle name_style(const Page& page) {
+view::TextStyle tray_style(const Page& page) {
   auto style = page.style(view::Face::sans, page.type().body);
   style.line_height = kLeading;
   return style;
@@ -47,36 +53,44 @@ view::TextStyle name_style(const Page& page) {
 
 float between(const Page& page) { return page.type().gap * 0.5f; }
 
-TrayGrid tray_of(const Page& page, const Desk& desk, float width, std::size_t columns) {
+TrayGrid tray_of(const Page& page, const Desk& desk, float width, std::size_t columns,
+                 bool explained) {
   const TypeScale& t = page.type();
   const std::size_t count = desk.wheel().tools.size() + 1;
-  const auto style = name_style(page);
+  const auto style = tray_style(page);
   TrayGrid grid;
   grid.columns = columns;
+  grid.explained = explained;
   grid.cell = width / static_cast<float>(columns);
-  grid.drawing = std::max(t.target, kDrawn * t.body) - between(page);
-  // Space before the drawing, after it, after the name, and before the next cell.
-  grid.name = grid.cell - grid.drawing - 4 * between(page);
+  grid.drawing = std::max(t.target, (explained ? kDrawnLarge : kDrawn) * t.body) - between(page);
+  // Space before the drawing, after it, after the words, and before the next cell.
+  grid.words = grid.cell - grid.drawing - 4 * between(page);
   grid.rows.assign((count + columns - 1) / columns, grid.drawing + between(page));
-  grid.fits = grid.name > 0;
+  grid.fits = grid.words > 0;
   for (std::size_t n = 0; n < count && grid.fits; ++n) {
-    const std::string name = ToolTray::name_of(desk, n);
-    const auto size = page.size(name, style, grid.name);
-    grid.fits = std::max(page.longest_word(name, style), size.width) <= grid.name;
     float& row = grid.rows[n / columns];
-    row = std::max(row, size.height + between(page));
+    float high = between(page);
+    for (const bool does : {false, true}) {
+      if (does && !explained) continue;
+      const std::string words = desk.say(id_of(desk, n) + (does ? "_is" : ""));
+      const auto size = page.size(words, style, grid.words);
+      grid.fits = grid.fits && std::max(page.longest_word(words, style), size.width) <= grid.words;
+      high += size.height;
+    }
+    row = std::max(row, high);
   }
   grid.height = between(page) * static_cast<float>(grid.rows.size() - 1);
   for (const float row : grid.rows) grid.height += row;
   return grid;
 }
 
-/// The lowest layout that breaks no word of a name.
-TrayGrid lowest_tray(const Page& page, const Desk& desk, float width) {
-  TrayGrid best = tray_of(page, desk, width, 1);
-  for (std::size_t columns = 2; columns <= desk.wheel().tools.size() + 1; ++columns)
-    if (TrayGrid grid = tray_of(page, desk, width, columns);
-        grid.fits && grid.height < best.height - 1)
+/// The lowest layout that breaks no word.
+TrayGrid lowest_tray(const Page& page, const Desk& desk, float width, bool explained) {
+  TrayGrid best = tray_of(page, desk, width, 1, explained);
+  for (std::size_t columns = 2; columns <= std::min(kMostAbreast, desk.wheel().tools.size() + 1);
+       ++columns)
+    if (TrayGrid grid = tray_of(page, desk, width, columns, explained);
+        grid.fits && (!best.fits || grid.height < best.height - 1))
       best = std::move(grid);
   return best;
 }
@@ -84,36 +98,36 @@ TrayGrid lowest_tray(const Page& page, const Desk& desk, float width) {
 }  // namespace
 
 std::string ToolTray::name_of(const Desk& desk, std::size_t which) {
-  const auto& tools = desk.wheel().tools;
-  return desk.say("tool." + (which == 0 ? "hands" : tools[which - 1].name));
+  return desk.say(id_of(desk, which));
 }
 
-void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
+void ToolTray::lay_out(Page& page, const Rect& room, const Desk& desk, std::size_t held) {
   const SceneForVisitor& wheel = desk.wheel();
   if (wheel.tools.empty()) return;
-  Page& page = column.page();
-  const TypeScale& t = page.type();
-  const Rect strip = column.rest();
-  const TrayGrid grid = lowest_tray(page, desk, strip.w);
-  if (!grid.fits) page.overflowed();
-  const auto style = name_style(page);
-  const float air = between(page);
+  TrayGrid grid = lowest_tray(page, desk, room.w, true);
+  // If what they do does not fit, show only the names. They are enough, and stay legible.
+  if (!grid.fits || grid.height > room.h) grid = lowest_tray(page, desk, room.w, false);
+  if (!grid.fits || grid.height > room.h + 0.5f) page.overflowed();
+  const auto style = tray_style(page);
+  const float air = between(page), width = grid.cell * static_cast<float>(grid.columns);
   const bool from_right = desk.words().right_to_left();
-  float y = strip.y;
+  float y = room.y + std::max(0.0f, (room.h - grid.height) / 2);
   for (std::size_t n = 0; n <= wheel.tools.size(); ++n) {
     const std::size_t place = n % grid.columns;
     if (n > 0 && place == 0) y += grid.rows[n / grid.columns - 1] + air;
     const float high = grid.rows[n / grid.columns];
     const auto turned = [&](float x, float w) {
-      return from_right ? 2 * strip.x + strip.w - x - w : x;
+      return from_right ? 2 * room.x + width - x - w : x;
     };
-    const float left = strip.x + grid.cell * static_cast<float>(place), wide = grid.cell - air;
-    const Rect button{turned(left, wide), y, wide, high};
-    const std::string words = name_of(desk, n);
-    const bool on = n == held;
-    page.control({std::string(kControl) + std::to_string(n), button, words, on});
-    page.draw(view::Box{button, t.body * 0.14f, view::with_alpha(view::kCobalt, on ? 0.10f : 0.0f),
-                        on ? t.hairline * 1.5f : 0, view::kCobalt});
+    const float left = room.x + grid.cell * static_cast<float>(place), wide = grid.cell - air;
+    const Rect cell{turned(left, wide), y, wide, high};
+    const std::string name = name_of(desk, n), does = desk.say(id_of(desk, n) + "_is");
+    Button button{std::string(kControl) + std::to_string(n), "",
+                  n == held ? Look::chosen : Look::outline};
+    button.on = n == held;
+    button.note = does;
+    button.spoken = name;
+    page.button(button, cell);
     const float side = grid.drawing;
     const float x = turned(left + air, side), top = y + (high - side) / 2;
     for (PenStroke stroke :
@@ -121,12 +135,14 @@ void ToolTray::lay_out(Column& column, const Desk& desk, std::size_t held) {
       for (auto& [px, py] : stroke) px = x + px * side / 24, py = top + py * side / 24;
       page.draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, side / 22)});
     }
-    const float lines = page.size(words, style, grid.name).height;
-    page.words({turned(left + 2 * air + side, grid.name), y + (high - lines) / 2, grid.name, lines},
-               words, style, view::kInk);
+    const float of_name = page.size(name, style, grid.words).height;
+    const float of_does = grid.explained ? page.size(does, style, grid.words).height : 0;
+    const Rect words{turned(left + 2 * air + side, grid.words), y + (high - of_name - of_does) / 2,
+                     grid.words, of_name};
+    page.words(words, name, style, view::kInk);
+    if (grid.explained)
+      page.words({words.x, words.y + of_name, words.w, of_does}, does, style, view::kFaintInk);
   }
-  column.space(grid.height);
-  column.check();
 }
 
 std::optional<std::size_t> ToolTray::of_control(const std::string& control) {

@@ -9,12 +9,13 @@
 namespace onggi::screens {
 
 /// The tools beside the wheel: the bare hands, and the scene's tools, each as a small drawing with
-/// its name. Controls "throw.tool.0" (the hands) and on.
+/// its potter's name and, if there is space, what it does in everyday words. Controls
+/// "throw.tool.0" (the hands) and on.
 class ToolTray {
  public:
-  /// As low as possible from the top of `column` without breaking a word. Nothing if the scene has
+  /// In the middle of `room`, as low as possible without breaking a word. Nothing if the scene has
   /// no tool. `held`: 0 the hands, n the n-th of SceneForVisitor::tools.
-  static void lay_out(Column& column, const Desk& desk, std::size_t held);
+  static void lay_out(Page& page, const view::Rect& room, const Desk& desk, std::size_t held);
   /// The visitors' name of `which`.
   static std::string name_of(const Desk& desk, std::size_t which);
   /// The index in "throw.tool.N"; nothing for other controls.

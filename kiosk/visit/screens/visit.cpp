@@ -13,7 +13,7 @@ using view::InputEvent;
 
 namespace {
 constexpr double kFade = 0.3;         // s
-constexpr double kLookedAway = 60.0;  // s that help and another language stay on over attract
+constexpr double kLookedAway = 60.0;  // s that an overlay and another language stay on over attract
 constexpr double kStepsToAct = 40, kStepsToStay = 10;  // times the switch's time for an item
 constexpr double kDeviceMoved = 0.002;                 // m: more than a resting device trembles
 }  // namespace
@@ -67,7 +67,7 @@ void Visit::update(double now) {
     // Taking a device begins a visit. Still leaning on one from the last visit does not.
     if (status.hands_taken && !s.hands_taken) s.desk.go(ScreenId::choose);
     if (now - s.changed_at > kLookedAway) {
-      if (s.over == Over::help) s.cover(Over::nothing);
+      if (s.over == Over::help || s.over == Over::languages) s.cover(Over::nothing);
       if (s.desk.language != 0) s.set_language(0);
     }
   } else {
@@ -192,10 +192,11 @@ ScreenText Visit::reading() const {
   const State& s = *state_;
   ScreenText r;
   r.screen = s.screen->id();
-  r.over = s.over == Over::help      ? "help"
-           : s.over == Over::comfort ? "comfort"
-           : s.over == Over::idle    ? "idle"
-                                     : "";
+  r.over = s.over == Over::help        ? "help"
+           : s.over == Over::comfort   ? "comfort"
+           : s.over == Over::languages ? "languages"
+           : s.over == Over::idle      ? "idle"
+                                       : "";
   r.language = &s.desk.words();
   if (s.page) {
     r.words = s.page->told();
@@ -215,6 +216,10 @@ ScreenText Visit::reading() const {
       r.differences = std::move(pot->differences);
     }
   return r;
+}
+
+bool Visit::works(const InputEvent& event) const {
+  return state_->over == Over::nothing && state_->screen->works(event);
 }
 
 bool Visit::spoken() const { return state_->desk.screen().spoken || state_->screen->dark(); }

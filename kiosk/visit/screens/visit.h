@@ -131,9 +131,10 @@ struct WheelSnapshot {
   Hint hint;
 };
 
-/// The visit as a state machine: attract -> choose -> throw -> result -> kiln (if there is one) ->
-/// keepsake -> attract, with the idle warning over any of them but attract. Knows no clock, window
-/// or file: time and input come in; frames, commands and requests go out. Main thread.
+/// The visit as a state machine: attract -> (clay ->) choose -> throw -> result -> kiln (if there
+/// is one) -> keepsake -> attract, with the idle warning over any of them but attract. Knows no
+/// clock, window or file: time and input come in; frames, commands and requests go out. Main
+/// thread.
 class Visit {
  public:
   explicit Visit(const VisitInputs& world);
@@ -177,6 +178,7 @@ class Visit {
 
   /// The place of a control in the last frame, for tests and the scripted visitor:
   ///   attract   "attract.begin" (any touch begins), "attract.gallery" (if pots were kept today)
+  ///   clay      "clay.on", "clay.press" (for visitors who make strokes by buttons)
   ///   choose    "choose.mission.N" (missions offered today, before the shelf),
   ///             "choose.card.N" (N counts the whole shelf; present only for this page's cards),
   ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
@@ -195,9 +197,11 @@ class Visit {
   ///   fault     "fault.on"
   ///   gallery   "gallery.next", "gallery.previous" (in attract and keepsake)
   ///   over any  "help", "help.close", "comfort", "comfort.close", "comfort.CHOICE" (Comfort),
-  ///             "idle.stay", "language", "back"
+  ///             "language" (the globe), "language.CODE", "language.close", "idle.stay", "back"
   /// Nothing if it is not on the screen. A control acts when the pointer lifts on it.
   std::optional<view::Rect> control(const std::string& id) const;
+  /// True if this finger or key would press the clay.
+  bool works(const view::InputEvent& event) const;
   /// What the throwing screen shows, for scripted visitors. Empty on other screens.
   std::optional<WheelSnapshot> sight() const;
   /// All controls, in reading order.

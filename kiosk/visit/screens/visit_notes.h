@@ -8,20 +8,19 @@
 namespace onggi::screens {
 
 /// In the order of a visit; a row each in screen_kind.cpp.
-enum class ScreenId { attract, choose, throwing, result, kiln, keepsake, fault };
+enum class ScreenId { attract, clay, choose, throwing, result, kiln, keepsake, fault };
 std::string_view name_of(ScreenId id);  ///< ScreenKind::name: "throw", "kiln"
 
 /// The countable facts of a finished visit, without anything about the visitor.
 struct VisitNotes {
   enum class End : std::uint8_t { finished, back, idle, fault, closed };
-  double since_s = 0.0;     ///< From the first touch to now.
-  double active_s = 0.0;    ///< From the first touch to the last.
-  double throwing_s = 0.0;  ///< Part of it at the wheel.
-  int pots = 0;             ///< Pots begun.
-  int card = -1;            ///< On the shelf: the last chosen vessel; -1: none.
-  ScreenId reached =
-      ScreenId::choose;  ///< The furthest screen reached, not counting the fault screen.
-  ScreenId left = ScreenId::choose;  ///< The last screen.
+  double since_s = 0.0;               ///< From the first touch to now.
+  double active_s = 0.0;              ///< From the first touch to the last.
+  double throwing_s = 0.0;            ///< Part of it at the wheel.
+  int pots = 0;                       ///< Pots begun.
+  int card = -1;                      ///< On the shelf: the last chosen vessel; -1: none.
+  ScreenId reached = ScreenId::clay;  ///< The furthest screen, not counting the fault screen.
+  ScreenId left = ScreenId::choose;   ///< The last screen.
   End end = End::back;
   std::string mission{};  ///< Id of the last chosen mission; "" if only a vessel was chosen.
   std::string language;   ///< Language code at the end.

@@ -6,6 +6,7 @@
 #include "kiosk/visit/screens/comfort_page.h"
 #include "kiosk/visit/screens/drift.h"
 #include "kiosk/visit/screens/focus.h"
+#include "kiosk/visit/screens/language_page.h"
 #include "kiosk/visit/screens/overlays.h"
 
 namespace onggi::screens {
@@ -55,7 +56,7 @@ void Visit::State::set_language(std::size_t index) {
 }
 
 void Visit::State::press(const std::string& control) {
-  if (const auto language = language_of(desk, control)) return set_language(*language);
+  if (press_language(control)) return;
   if (control == "help") return cover(Over::help);
   if (control == "comfort") return open_comfort();
   if (desk.comfort.press(control, desk.world.exhibit->screen)) {
@@ -69,6 +70,19 @@ void Visit::State::press(const std::string& control) {
   else
     screen->press(control);
   apply_pending_screen();
+}
+
+/// Afterwards the visitor is where they were. A language may be tried before a visit begins.
+void Visit::State::open_languages() {
+  under_languages = over == Over::idle ? Over::nothing : over;
+  cover(Over::languages);
+}
+
+bool Visit::State::press_language(const std::string& control) {
+  if (control == "language" && over != Over::languages) return open_languages(), true;
+  if (!control.starts_with("language")) return false;
+  if (const auto language = language_of(desk, control)) set_language(*language);
+  return cover(under_languages), true;
 }
 
 /// A new visitor asks for it: the choices last for the visit.
@@ -105,7 +119,7 @@ void Visit::State::pointer(const InputEvent& e) {
   if (over == Over::idle) {
     // Any touch means "I am here". Apart from that, only the controls for legibility act.
     if (e.kind != Kind::pointer_down) return;
-    if (language_of(desk, on)) set_language(*language_of(desk, on));
+    if (on == "language") open_languages();
     if (on == "comfort") open_comfort();
     return;
   }
@@ -116,8 +130,8 @@ void Visit::State::pointer(const InputEvent& e) {
   if (e.kind == Kind::pointer_down) {
     // The first touch always begins the visit, wherever it lands.
     if (screen->id() == ScreenId::attract && over == Over::nothing && on != "help" &&
-        on != "comfort" && !language_of(desk, on) && screen->begins_with(on)) {
-      desk.go(ScreenId::choose);
+        on != "comfort" && on != "language" && screen->begins_with(on)) {
+      screen->begin(e);
       return apply_pending_screen();
     }
     pressed = on;
@@ -134,13 +148,15 @@ void Visit::State::pointer(const InputEvent& e) {
   }
   // A near miss beside a switch of the Accessibility page must not close the page.
   if (over == Over::nothing && page && pressed.empty()) screen->pointer(e, *page);
+  // The finger that began a screen lifted before that was laid out.
+  if (!page && e.kind == InputEvent::Kind::pointer_up) screen->let_go();
   apply_pending_screen();
 }
 
 void Visit::State::key(const InputEvent& e) {
   by_keys = true;
   if (over == Over::idle) {
-    if (e.key == Key::language) set_language(*language_of(desk, "language"));
+    if (e.key == Key::language) open_languages();
     if (e.key == Key::comfort) open_comfort();
     return;
   }
@@ -148,12 +164,13 @@ void Visit::State::key(const InputEvent& e) {
   if (e.key == Key::comfort && !e.repeat)
     return press(over == Over::comfort ? "comfort.close" : "comfort");
   if (e.key == Key::help && !e.repeat) return press(over == Over::help ? "help.close" : "help");
-  if (over == Over::help || over == Over::comfort) {
+  if (over == Over::languages && e.key == Key::back) return press("language.close");
+  if (over != Over::nothing) {
     if (e.key == Key::back) return cover(Over::nothing);
   } else {
     if (screen->id() == ScreenId::attract && e.key != Key::back && e.key != Key::none &&
         e.key != Key::other && screen->begins_with({})) {
-      desk.go(ScreenId::choose);
+      screen->begin(e);
       return apply_pending_screen();
     }
     if (screen->key(e.key, e.repeat)) return apply_pending_screen();
@@ -199,10 +216,11 @@ void Visit::State::key(const InputEvent& e) {
 
 /// The control where the keyboard starts; empty while the keys move the hand.
 std::string Visit::State::first_control() const {
-  return over == Over::help      ? "help.close"
-         : over == Over::comfort ? first_comfort()
-         : over == Over::idle    ? "idle.stay"
-                                 : screen->first_focus();
+  return over == Over::help        ? "help.close"
+         : over == Over::comfort   ? first_comfort()
+         : over == Over::languages ? language_control(desk.words())
+         : over == Over::idle      ? "idle.stay"
+                                   : screen->first_focus();
 }
 
 /// With keys in use something is always focused, unless the keys move the hand.
@@ -242,6 +260,9 @@ Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
       break;
     case Over::comfort:
       lay_out_comfort(made, desk);
+      break;
+    case Over::languages:
+      lay_out_languages(made, desk);
       break;
     case Over::idle:
       lay_out_idle(made, desk, idle.seconds_left(), idle.countdown());

@@ -10,7 +10,7 @@
 
 namespace onggi::screens {
 
-enum class Over { nothing, help, comfort, idle };
+enum class Over { nothing, help, comfort, languages, idle };
 
 /// The inside of a visit: the current screen, its overlay, the keyboard's place.
 struct Visit::State {
@@ -23,6 +23,7 @@ struct Visit::State {
   std::unique_ptr<Page> page;  ///< The last one shown.
   IdleWatch idle;
   Over over = Over::nothing;
+  Over under_languages = Over::nothing;  ///< What the page of languages covers.
   bool by_keys = false, wanders = false;
   std::string focused, pressed;
   std::uint64_t serial = 1;
@@ -39,6 +40,8 @@ struct Visit::State {
   void cover(Over what);
   void set_language(std::size_t index);
   void open_comfort();
+  void open_languages();
+  bool press_language(const std::string& control);
   void press(const std::string& control);
   void pointer(const view::InputEvent& e);
   void key(const view::InputEvent& e);

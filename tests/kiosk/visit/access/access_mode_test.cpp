@@ -204,6 +204,22 @@ TEST(AccessMode, WhatTheSwitchStandsOnIsRungRoundInDarkAndLight) {
   EXPECT_GE(rings, 3);
 }
 
+TEST(AccessMode, AFingerThatIsHeldOnTheClayWorksAndHasNothingRead) {
+  Aided a;
+  a.v.frames(2);
+  const auto at = *a.v.frame.pot->camera.project({0.05, 0.1, 0});
+  for (int n = 0; n < 2; ++n) {  // from attract, then on the clay's own screen
+    a.event(Kind::pointer_down, at.first, at.second);
+    a.wait(7);
+    a.event(Kind::pointer_up, at.first, at.second);
+    EXPECT_EQ(a.v.visit->screen(), ScreenId::clay);
+    EXPECT_FALSE(a.v.visit->shown_on().spoken);
+  }
+  a.event(Kind::pointer_down, 5, 5);
+  a.wait(3.3);
+  EXPECT_TRUE(a.v.visit->shown_on().spoken) << "beside it";
+}
+
 TEST(AccessMode, APressOverTheWarningStaysAndPressesNothingElse) {
   Aided a;
   a.v.exhibit.screen.one_switch = true;
@@ -216,8 +232,8 @@ TEST(AccessMode, APressOverTheWarningStaysAndPressesNothingElse) {
   a.event(Kind::pointer_down, 3, 3);
   a.wait(0.2);
   EXPECT_FALSE(a.v.visit->idle_warning());
-  EXPECT_EQ(a.v.visit->screen(), ScreenId::choose);
-  EXPECT_TRUE(a.v.visit->control("choose.card.0"));
+  EXPECT_EQ(a.v.visit->screen(), ScreenId::clay);
+  EXPECT_TRUE(a.v.visit->control("clay.on"));
 }
 
 TEST(AccessMode, WithoutEitherEverythingGoesToTheVisitAsItCame) {

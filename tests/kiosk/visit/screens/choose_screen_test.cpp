@@ -28,7 +28,7 @@ struct Reader {
     v.width = width;
     v.height = height;
     v.show();
-    if (korean) v.touch("language");
+    if (korean) v.speak("ko");
     v.touch("attract.begin");
     v.frames(1);
     v.touch("choose.card.0");

@@ -53,7 +53,7 @@ TEST(Comfort, NothingOfWhatAVisitorChoseIsLeftInAttractOrForTheNext) {
     v.touch("comfort");
     v.touch("comfort.close");
     choose_all(v);
-    v.touch("language");
+    v.speak("ko");
     if (left_alone)
       v.frames(v.exhibit.idle.warn_after + v.exhibit.idle.countdown +
                50 * v.exhibit.screen.scan_seconds + 1);  // one switch has its time
@@ -75,7 +75,7 @@ TEST(Comfort, NothingOfWhatAVisitorChoseIsLeftInAttractOrForTheNext) {
 
 TEST(Comfort, ALanguageThatSomebodyTriedInAttractGoesBackByItself) {
   Visitor v;
-  v.touch("language");
+  v.speak("ko");
   EXPECT_EQ(v.visit->language(), "ko");
   v.frames(70);
   EXPECT_EQ(v.visit->language(), "en");

@@ -18,7 +18,7 @@ TEST(FaultNote, WhatTheWheelPutRightIsToldInKindWordsForAWhileAndForgottenAtTheW
                            Told{kFaultForce, "eased the force", "힘을 잠깐 줄였습니다"}})
     for (const bool korean : {false, true}) {
       Visitor v;
-      if (korean) v.touch("language");
+      if (korean) v.speak("ko");
       v.throw_a_pot();
       v.frames(1);
       const char* words = korean ? told.ko : told.en;

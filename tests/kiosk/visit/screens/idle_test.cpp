@@ -13,7 +13,7 @@ TEST(Idle, TheWarningIsSeenForAtLeastTwentySecondsAndThenNothingOfTheVisitorIsLe
   v.make_result();
   v.touch("result.keep");
   v.visit->show_postcard(42);
-  v.touch("language");
+  v.speak("ko");
   v.requests();
   v.frames(v.exhibit.idle.result_after + 0.5);
   ASSERT_TRUE(v.visit->idle_warning());

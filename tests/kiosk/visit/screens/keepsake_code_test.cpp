@@ -40,7 +40,7 @@ view::Frame last_screen(int width, int height, const std::string& language, Reac
   v.width = width;
   v.height = height;
   v.show();
-  if (language == "ko") v.touch("language");
+  if (language == "ko") v.speak("ko");
   v.make_result();
   v.glaze_and_fire();
   v.touch("kiln.keep");

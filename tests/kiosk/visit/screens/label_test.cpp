@@ -110,7 +110,7 @@ TEST(Label, WordsOfALanguageReadFromTheRightAreSetSoWhateverTheyBeginWith) {
     if (const auto* text = std::get_if<view::Text>(&item)) {
       EXPECT_TRUE(text->style.right_to_left) << text->text;
     }
-  v.touch("language");
+  v.speak("ko");
   v.frames(1);
   for (const view::Item& item : v.frame.items)
     if (const auto* text = std::get_if<view::Text>(&item)) {

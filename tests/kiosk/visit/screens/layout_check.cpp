@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/picture/view/high_contrast.h"
 #include "kiosk/picture/view/palette.h"
 #include "kiosk/visit/screens/comfort.h"
 #include "kiosk/visit/screens/layout.h"
@@ -125,6 +126,17 @@ void check_shadow(const Visitor& v, const std::string& where) {
       }
 }
 
+/// One step onward at most is solid: what is on or chosen looks different.
+void check_solid(const Visitor& v, float target, const std::string& where) {
+  int solid = 0;
+  for (const view::Item& item : v.frame.items)
+    if (const auto* box = std::get_if<view::Box>(&item))
+      solid += (view::same_hue(box->fill, view::kCobalt) ||
+                view::same_hue(box->fill, view::in_high_contrast(view::kCobalt))) &&
+               box->fill.a > 0.9f && std::min(box->rect.w, box->rect.h) >= target;
+  EXPECT_LE(solid, 1) << where << ": two buttons look like the step onward";
+}
+
 /// Millimetres above the floor, of a row of pixels.
 double above_floor(const Visitor& v, float y) {
   const settings::Exhibit::Screen screen = v.visit->shown_on();
@@ -147,6 +159,7 @@ void check_layout(const Visitor& v, const view::TextMeasure& measure, const std:
   const float least = (narrow ? 0.82f : 0.999f) * type.body;
 
   check_contrast(v, where);
+  check_solid(v, type.target, where);
   check_wheel(v, where);
   check_shadow(v, where);
   if (v.visit->shown_on().low_reach)

@@ -20,7 +20,7 @@ void check_all(const std::function<void(settings::Exhibit::Screen&)>& choose) {
       v.put_tools_to_hand();
       v.keep_today(30);
       v.show();
-      if (korean) v.touch("language");
+      if (korean) v.speak("ko");
       walk(v, [&](const std::string& name) { check_layout(v, v.plain, name); });
     }
   }
@@ -51,7 +51,7 @@ TEST(Layout, NorWithADeviceThatPushes) {
       v.height = height;
       v.news.device_in_use(device::DeviceKind::onggi_hid, true);
       v.show();
-      if (korean) v.touch("language");
+      if (korean) v.speak("ko");
       v.throw_a_pot();
       v.touch("throw.wheel");
       ASSERT_TRUE(v.visit->control("throw.softer"));

@@ -165,7 +165,7 @@ TEST(StrokeBoard, StandsWholeOnEverySizeInEitherLanguage) {
       v.height = height;
       v.exhibit.screen.one_switch = true;
       v.show();
-      if (korean) v.touch("language");
+      if (korean) v.speak("ko");
       v.throw_a_pot();
       v.frames(1);
       check_layout(v, v.plain, "strokes by buttons");

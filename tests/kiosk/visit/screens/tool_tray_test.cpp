@@ -37,29 +37,60 @@ struct AtTheTray : Visitor {
   }
 };
 
-TEST(ToolTray, EveryToolLiesThereWithItsNameOnEveryScreenClearOfTheWheel) {
+TEST(ToolTray, EveryToolLiesThereWithItsNameAndWhatItDoesOnEveryScreen) {
   for (const auto& [w, h] : {std::pair{1280, 720}, {1920, 1080}, {1080, 1920}, {720, 1280}}) {
     AtTheTray v(w, h);
     v.touch("throw.tools");
     v.frames(1);
-    const double round = v.frame.pot->wheel_radius;
-    const double front = v.frame.pot->camera.project({0, -0.024, round})->second;
-    const double left = v.frame.pot->camera.project({-round, 0, 0})->first;
+    EXPECT_LT(v.frame.pot->opacity, 0.2) << "it does not disturb the words";
     for (const char* name : {"throw.tool.0", "throw.tool.1", "throw.tool.2"}) {
       const auto rect = v.visit->control(name);
       ASSERT_TRUE(rect) << name << " at " << w << "x" << h;
       EXPECT_GE(rect->x, 0);
       EXPECT_LE(rect->x + rect->w, static_cast<float>(w));
       EXPECT_LE(rect->y + rect->h, static_cast<float>(h));
-      EXPECT_TRUE(rect->y + 1 >= front || rect->x + rect->w <= left) << w << "x" << h;
       for (const auto& [other, place] : v.visit->controls())
         if (other != name) {
           EXPECT_FALSE(rect->contains(place.x + place.w / 2, place.y + place.h / 2)) << other;
         }
     }
-    for (const char* words : {"Hands", "Flat rib", "Cutting wire"})
+    EXPECT_TRUE(v.visit->control("throw.done"));
+    for (const char* words : {"Hands", "Flat rib", "Cutting wire", "Smooths a straight wall",
+                              "Cuts the finished pot off"})
       EXPECT_NE(words_in(v.frame).find(words), std::string::npos) << words;
   }
+}
+
+TEST(ToolTray, WhatEachOfTheExhibitsToolsDoesIsReadOnTheUsualScreensInEveryLanguage) {
+  for (const auto& [w, h] : {std::pair{1920, 1080}, {1080, 1920}, {1366, 768}})
+    for (const char* code : {"en", "ko", "es", "fr", "de", "ja", "zh", "ar"}) {
+      Visitor v;
+      v.width = w;
+      v.height = h;
+      v.languages = {*content::Language::read(std::string("content/languages/") + code + ".toml")};
+      v.put_tools_to_hand();
+      v.throw_a_pot();
+      v.touch("throw.tools");
+      for (const SceneForVisitor::Tool& tool : v.wheel.tools)
+        for (const char* words : {"", "_is"})
+          EXPECT_NE(words_in(v.frame).find(v.languages[0].say("tool." + tool.name + words)),
+                    std::string::npos)
+              << tool.name << words << " in " << code << " at " << w << "x" << h;
+    }
+}
+
+TEST(ToolTray, AChosenToolClosesTheDrawerAndATouchBesideTheToolsToo) {
+  AtTheTray v;
+  v.touch("throw.tools");
+  v.touch("throw.tool.1");
+  EXPECT_FALSE(v.visit->control("throw.tool.1"));
+  EXPECT_GT(v.frame.pot->opacity, 0.9);
+  v.touch("throw.tools");
+  v.wheel_commands.hands.clear();
+  v.down(static_cast<float>(v.width) - 3, 3);
+  v.show();
+  EXPECT_FALSE(v.visit->control("throw.tool.1"));
+  for (const HandInput& hand : v.wheel_commands.hands) EXPECT_FALSE(hand.active);
 }
 
 TEST(ToolTray, ASceneWithoutToolsHasNoTray) {

@@ -77,26 +77,24 @@ TEST(Visit, TheFirstTouchCountsWhereverItLands) {
   }
 }
 
-TEST(Visit, AFirstTouchOnTheLanguageChangesTheLanguage) {
+TEST(Visit, TheGlobeInAttractChangesTheLanguageAndBeginsNoVisit) {
   Visitor v;
-  v.touch("language");
+  v.speak("ko");
   EXPECT_EQ(v.visit->screen(), ScreenId::attract);
   EXPECT_EQ(v.visit->language(), "ko");
   EXPECT_NE(words_in(v.frame).find("시작하기"), std::string::npos);
 }
 
-TEST(Visit, LanguageIsOneTouchAwayOnEveryScreen) {
+TEST(Visit, LanguageIsTwoTouchesAwayOnEveryScreen) {
   Visitor v;
   const auto twice = [&] {
-    v.touch("language");
+    v.speak("ko");
     EXPECT_EQ(v.visit->language(), "ko");
-    v.touch("language");
+    v.speak("en");
     EXPECT_EQ(v.visit->language(), "en");
   };
   twice();
-  v.down(600, 300);
-  v.up(600, 300);
-  v.show();
+  v.begin();
   twice();
   v.touch("choose.card.1");
   twice();
@@ -210,7 +208,7 @@ TEST(Visit, AVisitorSetsHowMuchForceIsFeltDownToOffAndTheNextBeginsWithAll) {
   for (int i = 0; i < 5; ++i) v.touch("throw.softer");
   EXPECT_EQ(v.visit->force_share(), 0.0);
   EXPECT_NE(words_in(v.frame).find("off"), std::string::npos);
-  v.touch("language");
+  v.speak("ko");
   EXPECT_NE(words_in(v.frame).find("끔"), std::string::npos);
   v.touch("throw.stronger");
   EXPECT_EQ(v.visit->force_share(), 0.25);
@@ -287,9 +285,7 @@ TEST(Visit, ScreensCrossFadeAndReducedMotionStillsThat) {
 
 TEST(Visit, EveryVesselOfALongShelfCanBeReached) {
   Visitor v(30);
-  v.down(600, 300);
-  v.up(600, 300);
-  v.show();
+  v.begin();
   std::vector<bool> met(30, false);
   for (int page = 0; page < 40; ++page) {
     for (int i = 0; i < 30; ++i)
@@ -368,9 +364,7 @@ TEST(Visit, HelpOpensOverEveryScreenAndGoesAway) {
     EXPECT_EQ(v.visit->screen(), before);
   };
   look();
-  v.down(600, 300);
-  v.up(600, 300);
-  v.show();
+  v.begin();
   look();
   v.touch("choose.card.1");
   look();

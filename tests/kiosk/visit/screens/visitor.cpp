@@ -208,6 +208,11 @@ void Visitor::touch(const std::string& control) {
   show();
 }
 
+void Visitor::speak(const std::string& code) {
+  touch("language");
+  touch("language." + code);
+}
+
 void Visitor::key(view::Key key) {
   visit->input({InputEvent::Kind::key_down, 0, 0, 0, key, false}, now);
   visit->input({InputEvent::Kind::key_up, 0, 0, 0, key, false}, now);
@@ -240,10 +245,20 @@ bool Visitor::key_to(const std::string& control) {
   return false;
 }
 
-void Visitor::throw_a_pot() {
+void Visitor::press_clay() {
+  const auto at = *frame.pot->camera.project({0.05, 0.1, 0});
+  down(at.first, at.second);
+}
+
+void Visitor::begin() {
   down(600, 300);
   up(600, 300);
   show();
+  if (visit->screen() == ScreenId::clay) touch("clay.on");  // where strokes are made by buttons
+}
+
+void Visitor::throw_a_pot() {
+  begin();
   touch("choose.card.0");
   touch("choose.throw");
   show();
@@ -290,12 +305,20 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.status.script_done = true;
   v.frames(2);
   with_help("attract");
+  v.touch("language");
+  settled("languages");
+  v.touch("language.close");
   if (v.visit->control("attract.gallery")) {
     v.touch("attract.gallery");
     with_help("attract gallery");
     v.touch("back");
   }
-  v.down(400, 5), v.up(400, 5);
+  v.press_clay();
+  v.up(0, 0);
+  with_help("clay");
+  v.touch("back");
+  v.frames(1);
+  v.begin();
   with_help("choose");
   with_comfort("choose");
   if (v.visit->control("choose.next")) {

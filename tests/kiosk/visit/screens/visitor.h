@@ -36,7 +36,7 @@ class CountingMeasure final : public view::TextMeasure {
 class RecordedCommands final : public loop::WheelCommands {
  public:
   void start(std::unique_ptr<Scene>) override {}
-  void play(std::unique_ptr<Script>) override {}
+  void play(std::unique_ptr<Script> script) override { ended += script == nullptr; }
   void hand(int, const HandInput& target) override { hands.push_back(target); }
   void take(int, std::uint8_t tool) override { tools.push_back(tool); }
   void wheel(double rad_per_s) override { wheels.push_back(rad_per_s); }
@@ -52,7 +52,7 @@ class RecordedCommands final : public loop::WheelCommands {
   std::vector<bool> waters;
   std::vector<bool> pauses;
   std::vector<std::uint8_t> tools;
-  int renewed = 0, restored = 0, settled = 0;
+  int renewed = 0, restored = 0, settled = 0, ended = 0;  ///< `ended`: scripts.
   std::uint32_t cleared = 0;
   bool answers = true;
 };
@@ -83,11 +83,15 @@ class Visitor {
   static settings::Mission described(double litres);
   /// Down and up in the middle of a control, in the drawer too.
   void touch(const std::string& control);
+  /// By the globe.
+  void speak(const std::string& code);
   /// At the wheel: opens or closes the drawer where `control` is only seen so.
   void reach(const std::string& control);
   void key(view::Key key);
   /// Arrows until `control` is focused, then Enter: false when no arrow leads there.
   bool key_to(const std::string& control);
+  void press_clay();   ///< In attract: a finger goes down on the pot's wall.
+  void begin();        ///< From attract to the shelf, by touch.
   void throw_a_pot();  ///< From attract to the throw screen, by touch.
   void make_result();
   /// A ring of the lump tears, whose wall is 33 mm, in a scene where walls tear below `limit` (0:

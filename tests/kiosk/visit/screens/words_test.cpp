@@ -105,6 +105,24 @@ TEST(Words, EveryKeyThatTheSourceNamesIsThereAndEveryKeyIsNamed) {
         << key << " is said nowhere";
 }
 
+// Also in what others than the screens print: labels, glazes, the lesson, missions.
+TEST(Words, AnApostropheIsNoStraightOneInAnyTextThatAVisitorReads) {
+  static const std::regex kStraight("[[:alnum:]]'[[:alnum:]]|[[:alnum:]]' ");
+  int files = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator("content")) {
+    if (file.path().extension() != ".toml") continue;
+    ++files;
+    std::ifstream in(file.path());
+    for (std::string line; std::getline(in, line);) {
+      const auto text = line.find('"'), end = line.rfind('"');
+      if (line.starts_with('#') || text == std::string::npos || end == text) continue;
+      EXPECT_FALSE(std::regex_search(line.substr(text, end - text), kStraight))
+          << file.path() << ": " << line;
+    }
+  }
+  EXPECT_GT(files, 20);
+}
+
 TEST(Words, EveryRemarkOfAScoreHasItsWords) {
   for (const auto& language : all_languages())
     for (const std::string& key : score::remark_keys())

@@ -1,0 +1,127 @@
+#include "kiosk/visit/screens/language_page.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/kiosk/visit/screens/visitor.h"
+
+namespace onggi::screens {
+namespace {
+
+using view::Key;
+using view::Rect;
+
+/// All that come with the exhibit, in an order of its own.
+struct EightLanguages : Visitor {
+  explicit EightLanguages(int w = 1280, int h = 720) {
+    width = w;
+    height = h;
+    for (const char* code : {"es", "fr", "de", "ja", "zh", "ar"})
+      languages.push_back(
+          *content::Language::read(std::string("content/languages/") + code + ".toml"));
+    show();
+  }
+  std::map<std::string, Rect> places() const {
+    std::map<std::string, Rect> all;
+    for (const content::Language& language : languages)
+      if (const auto rect = visit->control(language_control(language)))
+        all[language.code()] = *rect;
+    return all;
+  }
+};
+
+TEST(LanguagePage, TheGlobeHasOnePlaceOnEveryScreen) {
+  for (const auto& [w, h] : {std::pair{1920, 1080}, {1080, 1920}, {1366, 768}})
+    for (const bool left : {false, true}) {
+      Visitor v(9, nullptr, true);
+      v.width = w;
+      v.height = h;
+      v.exhibit.screen.left_handed = left;
+      v.keep_today(30);
+      v.put_tools_to_hand();
+      v.show();
+      const auto first = v.visit->control("language");
+      ASSERT_TRUE(first);
+      int seen = 0;
+      walk(v, [&](const std::string& name) {
+        ++seen;
+        EXPECT_EQ(v.visit->control("language"), first) << name << " " << w << "x" << h;
+      });
+      EXPECT_GT(seen, 20);
+    }
+}
+
+TEST(LanguagePage, EachLanguageHasOnePlaceWhateverLanguageIsInUse) {
+  for (const auto& [w, h] : {std::pair{1920, 1080}, {1080, 1920}, {1366, 768}}) {
+    EightLanguages v(w, h);
+    v.touch("language");
+    const auto before = v.places();
+    EXPECT_EQ(before.size(), 8u);
+    for (const content::Language& language : v.languages) {
+      v.touch(language_control(language));
+      EXPECT_EQ(v.visit->language(), language.code());
+      EXPECT_TRUE(v.places().empty()) << "a choice closes the page";
+      v.touch("language");
+      EXPECT_EQ(v.places(), before) << language.code() << " " << w << "x" << h;
+      for (const Control& c : v.visit->reading().controls)
+        if (c.on) {
+          EXPECT_EQ(*c.on, c.id == language_control(language)) << c.id;
+        }
+      for (const content::Language& named : v.languages)
+        EXPECT_NE(words_in(v.frame).find(named.name()), std::string::npos) << named.name();
+    }
+  }
+}
+
+TEST(LanguagePage, IsReachedAndLeftByKeysAndBeginsAtTheLanguageInUse) {
+  EightLanguages v;
+  v.throw_a_pot();
+  v.key(Key::language);
+  EXPECT_EQ(v.visit->reading().over, "languages");
+  EXPECT_EQ(v.visit->focus(), "language.en");
+  v.key(Key::back);
+  EXPECT_EQ(v.visit->reading().over, "");
+  v.key(Key::language);
+  ASSERT_TRUE(v.key_to("language.de"));
+  EXPECT_EQ(v.visit->language(), "de");
+  EXPECT_EQ(v.visit->reading().over, "");
+  v.key(Key::language);
+  v.key(Key::language);
+  EXPECT_EQ(v.visit->reading().over, "") << "the same key closes it";
+  EXPECT_EQ(v.visit->screen(), ScreenId::throwing);
+}
+
+TEST(LanguagePage, LeadsBackToThePageThatItCovered) {
+  EightLanguages v;
+  v.throw_a_pot();
+  for (const std::string over : {"help", "comfort"}) {
+    v.touch(over);
+    v.speak("fr");
+    EXPECT_EQ(v.visit->reading().over, over);
+    v.touch(over + ".close");
+  }
+  v.frames(v.exhibit.idle.warn_after + 1);
+  ASSERT_TRUE(v.visit->idle_warning());
+  v.speak("ja");
+  EXPECT_FALSE(v.visit->idle_warning());
+  EXPECT_EQ(v.visit->reading().over, "");
+}
+
+TEST(LanguagePage, GoesAwayByItselfInAttract) {
+  EightLanguages v;
+  v.touch("language");
+  EXPECT_EQ(v.visit->screen(), ScreenId::attract);
+  v.frames(70);
+  EXPECT_EQ(v.visit->reading().over, "");
+}
+
+TEST(LanguagePage, AnExhibitOfOneLanguageHasNoGlobe) {
+  Visitor v;
+  v.languages.pop_back();
+  v.show();
+  EXPECT_FALSE(v.visit->control("language"));
+}
+
+}  // namespace
+}  // namespace onggi::screens
