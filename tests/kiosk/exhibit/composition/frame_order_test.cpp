@@ -30,6 +30,7 @@ class FrameOrder : public WholeKiosk {
   void change(KioskOptions& options) override {
     options.renderer =
         [this](const render::WindowOptions& window) -> Result<std::unique_ptr<render::Renderer>> {
+      if (window.opening) opening_ = window.opening(640, 360);
       auto real = render::Renderer::create(window);
       if (!real) return tl::unexpected(real.error());
       return std::make_unique<test::WatchedRenderer>(std::move(*real), watch_);
@@ -48,7 +49,17 @@ class FrameOrder : public WholeKiosk {
   }
 
   test::Watch watch_;
+  view::Frame opening_;  ///< What the window may show before its shaders are compiled.
 };
+
+// Guards read_settings() before the window: its words are there before the first picture is.
+TEST_F(FrameOrder, TheWindowHasWordsFromTheStart) {
+  ASSERT_EQ(opening_.items.size(), 1u);
+  const auto& text = std::get<view::Text>(opening_.items.front());
+  EXPECT_EQ(text.text, "Getting the vessels ready.");
+  EXPECT_EQ(text.box.w, 640);
+  EXPECT_FALSE(opening_.pot) << "only the words' shader is there";
+}
 
 // Guards `wheel_host_->collect()` before `renderer_->update_clay(...)`, and that nothing collects
 // again until the frame is drawn: the clay on the glass, what the screens say of it and a postcard
