@@ -17,7 +17,7 @@ using view::Text;
 namespace {
 
 constexpr float kEdge = 200, kWords = kPosterWidth - 2 * kEdge;
-constexpr float kHeadTop = 190, kTitle = 290, kLead = 92, kPrint = 46;
+constexpr float kHeadTop = 190, kTitle = 290, kLead = 92, kFine = 46;
 constexpr float kPotTop = 720;  // two lines of title stand above it
 constexpr float kFootLine = kPosterHeight - kEdge;
 constexpr float kCodeWide = 520;  // 44 mm: read from a metre away
@@ -70,7 +70,7 @@ view::Frame compose_poster(const PosterWords& words, view::PictureId pot,
     const float width = code.width(kCodeWide);
     const float left = words.right_to_left ? kEdge : kPosterWidth - kEdge - width;
     Text below =
-        set(words.address_words, type(words, Face::sans, kPrint), view::kInk, width, 140, measure);
+        set(words.address_words, type(words, Face::sans, kFine), view::kInk, width, 140, measure);
     below.style.align = Align::centre;
     const float foot = kFootLine - below.box.h;
     put(std::move(below), left, foot);
@@ -82,7 +82,7 @@ view::Frame compose_poster(const PosterWords& words, view::PictureId pot,
   std::string small;
   for (const std::string& line : {words.museum, words.vessel, words.credit})
     if (!line.empty()) small += (small.empty() ? "" : "\n") + line;
-  Text print = set(small, type(words, Face::sans, kPrint), view::kFaintInk, width, 330, measure);
+  Text print = set(small, type(words, Face::sans, kFine), view::kFaintInk, width, 330, measure);
   const float print_top = kFootLine - print.box.h;
   put(std::move(print), left, print_top);
   Text lead = set(words.lead, type(words, Face::sans, kLead), view::kInk, width,
