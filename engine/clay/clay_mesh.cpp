@@ -104,7 +104,6 @@ ClayMesh faced_mesh_of(const ClayView& clay, int most_rows, int most_sectors) {
   ClayMesh faced;
   TriangleMesh& mesh = faced.mesh;
   const std::vector<int> sectors = taken_of(clay.sectors(), std::max(3, most_sectors));
-  faced.sectors = static_cast<int>(sectors.size());
   const int row_step = std::max(1, (clay.rows() + most_rows - 1) / std::max(2, most_rows));
   const int last = clay.rows() - 1;
   const int floor_row = std::min(clay.floor_rows(), last);

@@ -18,12 +18,10 @@ TriangleMesh mesh_of(const ClayView& clay, int most_rows = 400, int most_sectors
 /// The faces of that mesh, in the order of its positions.
 enum class ClayFace : std::uint8_t { foot, outer, rim, inner, floor };
 
-/// mesh_of(), with the face of each position. Positions come in rings of `sectors`, face after
-/// face; neighbouring faces end in the same ring.
+/// mesh_of(), with the face of each position.
 struct ClayMesh {
   TriangleMesh mesh;
   std::vector<ClayFace> faces;  ///< One a position.
-  int sectors = 0;
 };
 ClayMesh faced_mesh_of(const ClayView& clay, int most_rows = 400, int most_sectors = 180);
 

@@ -22,10 +22,10 @@ bool has_control_character(const std::string& text) {
 // http or https, a name or number or [number] of a machine, a port or none, a path or none.
 bool is_phone_address(const std::string& address) {
   static const std::regex kForm(
-      R"(https?://([A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?(\.[A-Za-z0-9]([A-Za-z0-9-]*[A-Za-z0-9])?)*|\[[0-9A-Fa-f:.]+\])(:([0-9]{1,5}))?(/[A-Za-z0-9._~/-]*)?)");
+      R"(https?://(?:[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?(?:\.[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?)*|\[[0-9A-Fa-f:.]+\])(?::([0-9]{1,5}))?(?:/[A-Za-z0-9._~/-]*)?)");
   std::smatch parts;
   if (!std::regex_match(address, parts, kForm)) return false;
-  return !parts[5].matched || (std::stoi(parts[5]) >= 1 && std::stoi(parts[5]) <= 65535);
+  return !parts[1].matched || (std::stoi(parts[1]) >= 1 && std::stoi(parts[1]) <= 65535);
 }
 
 /// "en", "ko", "zh-Hant": letters, then parts of letters and digits. It becomes a file's name.

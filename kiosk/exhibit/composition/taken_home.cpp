@@ -5,7 +5,6 @@
 
 #include "engine/clay/clay_mesh.h"
 #include "engine/profile/mesh.h"
-#include "kiosk/exhibit/composition/lean_pot.h"
 #include "kiosk/exhibit/composition/pot_model.h"
 #include "kiosk/exhibit/composition/words.h"
 #include "kiosk/ground/files/local_time.h"
@@ -15,6 +14,10 @@
 namespace onggi::exhibit {
 
 namespace {
+
+// Of the kept model: a row a millimetre, and 3 degrees a sector. So it has under 65,536 corners,
+// and two bytes name one.
+constexpr int kKeptRows = 240, kKeptSectors = 120;
 
 void shrink(TriangleMesh& mesh, double size) {
   for (auto& at : mesh.positions)
@@ -117,11 +120,11 @@ bool TakingHome::draw_next(const settings::Exhibit& exhibit, const ClayView& cla
       return true;
     case Next::model: {
       // Read the surface at thrown size; the model has the fired size.
-      const ClayMesh whole = faced_mesh_of(clay);
-      LeanPot pot = lean(whole, renderer.read_skin(whole, taken.glazing));
+      ClayMesh pot = faced_mesh_of(clay, kKeptRows, kKeptSectors);
+      const auto skin = renderer.read_skin(pot, taken.glazing);
       shrink(pot.mesh, size_);
       keepsake.glb =
-          pot_model(pot.mesh, pot.skin, taken.visit.glaze.empty() ? "clay" : taken.visit.glaze,
+          pot_model(pot.mesh, skin, taken.visit.glaze.empty() ? "clay" : taken.visit.glaze,
                     words_.title, exhibit.credit);
       next_ = Next::nothing;
       return false;

@@ -11,7 +11,7 @@
 namespace onggi::souvenir {
 namespace {
 
-constexpr std::uintmax_t kUsual = 4'000'000;  // bytes: a keepsake has no more, but for a long visit
+constexpr std::uintmax_t kUsual = 8'000'000;  // bytes: a keepsake has no more, but for a long visit
 
 std::uintmax_t of_a_page(const Room& room) {
   return room.pages == 0 ? kUsual : std::max(kUsual, room.promised / room.pages);

@@ -86,7 +86,7 @@ TEST_F(LanguageTest, what_differs_from_the_programs_english_is_named_and_still_s
   EXPECT_EQ(changed("Touch to begin", "Begin here"), "");
   const std::pair<std::pair<const char*, const char*>, std::vector<const char*>> slips[] = {
       {{"begin = \"Touch to begin\"\n", ""},
-       {"en.toml:13:", "attract.begin is missing", "begin = \"Touch to begin\""}},
+       {"en.toml:14:", "attract.begin is missing", "begin = \"Touch to begin\""}},
       {{"begin = ", "beginn = "}, {"attract.beginn", "Did you mean attract.begin?"}},
       {{"help = \"Help\"\n", "help = \"Help\"\nnonsense = \"x\"\n"}, {"all.nonsense", "Remove it"}},
       {{"rpm = \"{rpm} rpm\"", "rpm = \"{turns} rpm\""}, {"{turns}", "Its placeholders are {rpm}"}},

@@ -53,7 +53,7 @@ TEST(Visit, TheSameVisitTwiceLeavesTheSamePotAndEverythingAVisitorTakesHome) {
   std::uintmax_t folder_bytes = 0;
   for (const Json& file : reports[0]["files"])
     folder_bytes += fs::file_size(file.get<std::string>());
-  EXPECT_LT(folder_bytes, 4'000'000u) << "a folder of keepsakes promises as much";
+  EXPECT_LT(folder_bytes, 8'000'000u) << "a folder of keepsakes promises as much";
 
   // The replay that the visitor left throws the same pot in the engine alone.
   const Outcome replay = onggi("replay --json - " + reports[0]["files"][2].get<std::string>());
