@@ -322,11 +322,19 @@ TEST(keepsake, tidying_a_folder_that_is_not_there_is_no_fault) {
   EXPECT_TRUE(tidy("/nowhere/at/all", {10, 1}));
 }
 
+/// Bytes that do not pack.
+std::vector<std::byte> unlike_bytes(std::size_t count) {
+  std::mt19937 random(7);
+  std::vector<std::byte> bytes(count);
+  for (std::byte& b : bytes) b = static_cast<std::byte>(random() & 0xffu);
+  return bytes;
+}
+
 TEST(keepsake, a_disk_that_fills_leaves_no_half_visit) {
   const ScratchFolder scratch;
   const int status = on_a_disk(scratch.path(), 0, "size=24k", [&] {
     Keepsake k = keepsake();
-    k.replay.assign(100000, std::byte{7});
+    k.replay = unlike_bytes(100000);
     const auto files = save(k, scratch.path(), {100});
     return !files && files.error().what == "The disk is full." && names_in(scratch.path()).empty();
   });
@@ -338,7 +346,7 @@ TEST(keepsake, an_end_in_the_middle_leaves_the_visit_absent) {
   const ScratchFolder scratch;
   const int status = in_child([&] {
     Keepsake k = keepsake();
-    k.replay.assign(100000, std::byte{7});
+    k.replay = unlike_bytes(100000);
     const rlimit limit{50000, 50000};  // the replay comes last: its signal ends us
     ::setrlimit(RLIMIT_FSIZE, &limit);
     return save(k, scratch.path(), {100}).has_value();

@@ -33,11 +33,12 @@ PosterWords longest() {
 /// Every box of the frame; the code's modules as one.
 std::vector<view::Rect> places_of(const view::Frame& poster) {
   std::vector<view::Rect> places;
-  view::Rect code{1e9f, 1e9f, 0, 0};
+  view::Rect code{};
   for (const view::Item& item : poster.items) {
     if (const auto* text = std::get_if<view::Text>(&item)) places.push_back(text->box);
     if (const auto* picture = std::get_if<view::Picture>(&item)) places.push_back(picture->box);
     if (const auto* box = std::get_if<view::Box>(&item)) {
+      if (code.w == 0) code = box->rect;
       const float right = std::max(code.x + code.w, box->rect.x + box->rect.w);
       const float foot = std::max(code.y + code.h, box->rect.y + box->rect.h);
       code.x = std::min(code.x, box->rect.x);
