@@ -9,7 +9,9 @@
 #include <chrono>
 #include <ctime>
 #include <map>
+#include <random>
 #include <span>
+#include <vector>
 
 #include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/ground/files/local_time.h"
