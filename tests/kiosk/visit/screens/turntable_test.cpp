@@ -50,7 +50,7 @@ struct AtResult : Visitor {
   }
   /// Arrows alone, until the keyboard is on the pots.
   bool go_to_pots() {
-    for (const Key way : {Key::up, Key::right, Key::left, Key::up, Key::up, Key::up})
+    for (const Key way : {Key::up, Key::right, Key::left, Key::up, Key::up, Key::up, Key::up})
       if (visit->focus() != kPots) key(way);
     return visit->focus() == kPots;
   }
