@@ -57,6 +57,17 @@ void Keeping::draw_keepsake() {
     turning_.begin(saving_ticket_, caption, made_, taken.glazing, clay, left_handed_);
 }
 
+void Keeping::lose_screen() {
+  postcard_ = 0;
+  if (!taking_) return;
+  // The postcard was drawn first. Without its code nobody can open a page, so there is none.
+  TakenHome taken = std::move(taking_->taken);
+  taking_.reset();
+  taken.keepsake.phone.reset();
+  kept_ticket_ = saving_ticket_ =
+      keepsakes_.save(std::move(taken.keepsake), taken.visit.state_hash);
+}
+
 void Keeping::draw_rest() {
   while (taking_) draw_keepsake();
 }

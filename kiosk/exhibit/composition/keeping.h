@@ -66,11 +66,9 @@ class Keeping {
   void draw_turning(const view::Frame& shown);
   /// Waits for every save, and for the count of visits. Draws nothing. Call once, at the end.
   void finish(screens::Visit& visit);
-  /// The screen is lost, and with it the postcard's picture and what was not drawn yet.
-  void lose_screen() {
-    postcard_ = 0;
-    taking_.reset();
-  }
+  /// The screen is lost. A keepsake that was being drawn is saved with what there is: the postcard,
+  /// no model and no page.
+  void lose_screen();
 
   const std::optional<KeptVisit>& kept() const { return kept_; }
   /// A keepsake is being drawn or saved.

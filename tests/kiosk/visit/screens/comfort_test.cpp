@@ -101,7 +101,9 @@ TEST(Comfort, IsOneTouchAndOneKeyAwayOnEveryScreenAndOverTheWarning) {
     if (name.find("comfort") != std::string::npos || name == "attract" || name == "idle") return;
     ++screens;
     ASSERT_TRUE(v.visit->control("comfort")) << name;
-    if (name.find("help") != std::string::npos) return;
+    // Over these pages the key leads to another page, not back.
+    if (name.find("help") != std::string::npos || name.find("language") != std::string::npos)
+      return;
     v.key(Key::comfort);
     EXPECT_TRUE(v.visit->control("comfort.close")) << name;
     v.key(Key::comfort);
