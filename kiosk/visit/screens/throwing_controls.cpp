@@ -81,26 +81,34 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
   column.foot_space(page.type().gap);
 }
 
-/// The foot of the page: the drawers' buttons, or back, and the buttons of every screen.
-void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
-  const std::vector<Button> on = ways(desk, now);
+/// The drawers' buttons, or back, and the buttons of every screen.
+void standing_with(Column& column, const Desk& desk, const std::vector<Button>& on) {
   std::vector<Button> row = standing_buttons(desk, true);
-  if (now.board && now.drawer == Drawer::closed) {  // the board shows them among the strokes
-    column.foot_buttons(row);
-    column.foot_space(column.page().type().gap);
-    return;
-  }
   // In portrait one row holds everything.
   if (column.page().where().portrait) row.insert(row.begin(), on.begin(), on.end());
   column.foot_buttons(row);
   column.foot_space(column.page().type().gap);
-  if (column.page().where().portrait) return;
+  if (column.page().where().portrait || on.empty()) return;
   // As wide as the buttons above, if both fit.
   if (column.abreast(on) == 2)
     column.foot_grid(on, column.page().type().target, column.page().where().mirrored);
   else
     column.foot_buttons(on);
   column.foot_space(column.page().type().gap);
+}
+
+/// The foot of the page, as high with a drawer open as with both closed, so that what is used most
+/// stays at its place.
+void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
+  // The board shows the drawers' buttons among the strokes, and a drawer shows back.
+  if (now.board) return standing_with(column, desk, {});
+  Page unseen = column.page();
+  Column other(unseen, column.rest());
+  ThrowingControls then = now;
+  then.drawer = now.drawer == Drawer::closed ? Drawer::tools : Drawer::closed;
+  standing_with(other, desk, ways(desk, then));
+  standing_with(column, desk, ways(desk, now));
+  column.foot_space(std::max(0.0f, column.rest().h - other.rest().h));
 }
 
 /// The vessel's name, and at the far end the skip of the lesson; and the device in use.
@@ -200,9 +208,20 @@ std::vector<DrawerRow> wheel_rows(const Desk& desk, const ThrowingControls& now)
   return rows;
 }
 
+/// Strokes by buttons need no touch on the pot, so the pot goes above the reach if there is space.
+bool pot_above(const Page& page, const Desk& desk) {
+  const Regions& r = page.where();
+  return r.reach > 0 && StrokeBoard::wanted(desk) &&
+         r.all.y - page.type().margin > kPotAbove * std::min(r.all.w, r.all.h);
+}
+
 void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
-  const Page& page = column.page();
+  Page& page = column.page();
   const TypeScale& t = page.type();
+  if (now.board) {
+    column.foot_buttons(ways(desk, now));
+    column.foot_space(t.gap);
+  }
   column.into_reach();
   std::vector<DrawerRow> rows;
   if (now.drawer == Drawer::wheel) {
@@ -215,6 +234,11 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
     captions =
         std::max(captions, page.size(row.caption, page.style(Face::sans, t.body), -1).width + 4);
   for (const DrawerRow& row : rows) drawer_row(column, row.caption, row.buttons, captions);
+  if (now.drawer == Drawer::tools && pot_above(page, desk)) {
+    const view::Rect room = column.rest();
+    ToolTray::lay_out(page, room, desk, now.held);
+    column.space(ToolTray::least_height(page, desk, room.w));
+  }
   column.check();
 }
 
@@ -229,11 +253,11 @@ std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hin
   return desk.pot_ready() ? StrokeBoard::told(desk, now.parts, 1).front() : std::string();
 }
 
-/// Least free height between head and foot of `box`; negative: the page is too low. Nothing if
-/// something is out of reach.
+/// Least free height between head and foot of `box`, whatever is shown; negative: the page is too
+/// low. Nothing if something is out of reach or too wide.
 std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk& desk,
                              const ThrowingControls& now) {
-  bool reached = true;
+  bool fits = true;
   const auto left_of = [&](Drawer open, Mishap mishap, const auto& lay_out) {
     ThrowingControls then = now;
     then.drawer = open;
@@ -242,7 +266,7 @@ std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk
     Column column(trial, box);
     standing(column, desk, then);
     lay_out(column, then);
-    reached = reached && trial.in_reach();
+    fits = fits && trial.in_reach() && !trial.overflow();
     return column.rest().h;
   };
   const auto closed = [&](Mishap mishap) {
@@ -276,10 +300,10 @@ std::optional<float> left_in(const view::Rect& box, const Page& page, const Desk
     for (const Mishap what : {Mishap::none, Mishap::fell, Mishap::tore_thin, Mishap::tore_wide})
       least = std::min(least, closed(what));
   }
-  return reached ? std::optional(least) : std::nullopt;
+  return fits ? std::optional(least) : std::nullopt;
 }
 
-/// The tray lies over the pot, as far as it is in reach.
+/// The tray lies over the pot, as far as that is in reach.
 view::Rect tray_room(const Page& page) {
   const Regions& r = page.where();
   view::Rect room = r.pot;
@@ -293,6 +317,13 @@ view::Rect tray_room(const Page& page) {
   room.h += std::min(0.0f, room.y - r.reach);
   room.y = std::max(room.y, r.reach);
   return room;
+}
+
+/// The text's size must not change with the tray, because the pot's place would.
+void check_tray(Page& page, const Desk& desk, const ThrowingControls& now) {
+  Page unseen = page;
+  ToolTray::lay_out(unseen, tray_room(page), desk, now.held);
+  if (unseen.overflow()) page.overflowed();
 }
 
 }  // namespace
@@ -334,9 +365,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
   Regions r = page.where();
   const view::Rect& all = r.all;
   const float margin = page.type().margin;
-  // Strokes by buttons need no touch on the pot, so the pot goes above the reach if there is space.
-  const bool above = r.reach > 0 && StrokeBoard::wanted(desk) &&
-                     all.y - margin > kPotAbove * std::min(all.w, all.h);
+  const bool above = pot_above(page, desk);
   if (above) {
     r.portrait = true;
     page.divide(r);
@@ -352,6 +381,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
     const float top = above ? std::max(margin, r.words.y - r.page.w) : all.y + margin;
     r.pot = {r.page.x, top, r.page.w, std::max(r.words.y - margin * 1.5f - top, margin)};
     page.divide(r);
+    if (!above) check_tray(page, desk, now);
     return;
   }
   const bool wide = r.roomy || StrokeBoard::wanted(desk);
@@ -370,6 +400,7 @@ void give_the_pot_its_room(Page& page, const Desk& desk, const ThrowingControls&
   page.divide(r);
   // The pot must keep its place, whatever the sentence and whichever drawer is open.
   if (left_in(r.words, page, desk, now).value_or(-2) < -1) page.overflowed();
+  check_tray(page, desk, now);
 }
 
 void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now, const ShowMe& show,
@@ -377,7 +408,8 @@ void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now,
   Column column(page, page.where().words);
   standing(column, desk, now);
   most_used(column, desk, now);
-  if (now.drawer == Drawer::tools) ToolTray::lay_out(page, tray_room(page), desk, now.held);
+  if (now.drawer == Drawer::tools && !pot_above(page, desk))
+    ToolTray::lay_out(page, tray_room(page), desk, now.held);
   if (now.drawer != Drawer::closed) return drawer(column, desk, now);
   if (now.board)
     return now.board->lay_out(column, desk, ways(desk, now), now.parts, now.working,

@@ -13,8 +13,8 @@
 
 namespace onggi::screens {
 
-/// The two drawers at the wheel, in place of the hint. tools: a hand's tools, over the pot. wheel:
-/// wheel, clay and force.
+/// The two drawers at the wheel, in place of the hint. tools: a hand's tools, over the pot, or
+/// below it where it is out of reach. wheel: wheel, clay and force.
 enum class Drawer { closed, tools, wheel };
 
 /// The control that opens the drawer with `control`; "" if it is in no drawer.

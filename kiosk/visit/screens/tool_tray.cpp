@@ -101,6 +101,10 @@ std::string ToolTray::name_of(const Desk& desk, std::size_t which) {
   return desk.say(id_of(desk, which));
 }
 
+float ToolTray::least_height(const Page& page, const Desk& desk, float width) {
+  return desk.wheel().tools.empty() ? 0 : lowest_tray(page, desk, width, false).height;
+}
+
 void ToolTray::lay_out(Page& page, const Rect& room, const Desk& desk, std::size_t held) {
   const SceneForVisitor& wheel = desk.wheel();
   if (wheel.tools.empty()) return;
@@ -141,7 +145,8 @@ void ToolTray::lay_out(Page& page, const Rect& room, const Desk& desk, std::size
                      grid.words, of_name};
     page.words(words, name, style, view::kInk);
     if (grid.explained)
-      page.words({words.x, words.y + of_name, words.w, of_does}, does, style, view::kFaintInk);
+      page.words({words.x, words.y + of_name, words.w, of_does}, does, style,
+                 n == held ? view::kInk : view::kFaintInk);  // faint is too faint on a tint
   }
 }
 

@@ -16,6 +16,8 @@ class ToolTray {
   /// In the middle of `room`, as low as possible without breaking a word. Nothing if the scene has
   /// no tool. `held`: 0 the hands, n the n-th of SceneForVisitor::tools.
   static void lay_out(Page& page, const view::Rect& room, const Desk& desk, std::size_t held);
+  /// Without what the tools do; 0 if the scene has none.
+  static float least_height(const Page& page, const Desk& desk, float width);
   /// The visitors' name of `which`.
   static std::string name_of(const Desk& desk, std::size_t which);
   /// The index in "throw.tool.N"; nothing for other controls.

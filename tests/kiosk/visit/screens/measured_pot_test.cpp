@@ -29,6 +29,7 @@ settings::Mission todays() {
 void to_the_shelf(Visitor& v) {
   v.touch("attract.begin");
   v.show();
+  if (v.visit->screen() == ScreenId::clay) v.touch("clay.on");  // where strokes are made by buttons
 }
 void begin(Visitor& v, int mission = 0) {
   to_the_shelf(v);
