@@ -112,10 +112,10 @@ TEST(Keepsakes, WhenPromisedPagesFillTheQuotaNoMoreAreGivenAndStaffAreToldOnceAD
   const souvenir::Passes passes(scratch.path());
   const auto promise = [&](const std::string& name) {
     fs::create_directories(scratch.path() / name);
-    std::ofstream(scratch.path() / name / "postcard.jpg") << std::string(5'000'000, 'x');
+    std::ofstream(scratch.path() / name / "postcard.jpg") << std::string(10'000'000, 'x');
     ASSERT_TRUE(passes.give(name, std::time(nullptr), 24));
   };
-  Keepsakes keepsakes(scratch.path(), {20, 0}, 24.0);
+  Keepsakes keepsakes(scratch.path(), {40, 0}, 24.0);
   double now = 0;
   const auto look = [&] {
     const auto before = keepsakes.room();
