@@ -31,7 +31,7 @@ namespace {
 
 constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
 // Opacity of the pot: faint words over black clay keep a contrast of 4.5.
-constexpr double kBehindTools = 0.06;
+constexpr double kBehindTools = 0.05;
 
 class Throwing final : public Screen {
  public:
@@ -304,6 +304,11 @@ class Throwing final : public Screen {
     // A hand that works alone inside a closed wall is invisible.
     if (!cut_chosen_) cut_ = grip_ == Grip::inside;
     let_go();
+    show_pot();
+  }
+  /// The tools lie over it: once one is chosen, they go.
+  void show_pot() {
+    if (drawer_ == Drawer::tools) open_drawer(Drawer::closed);
   }
   /// A tool needs one hand.
   Grip grip() const { return held_ > 0 && grip_ == Grip::both ? Grip::outside : grip_; }
@@ -311,7 +316,7 @@ class Throwing final : public Screen {
     const SceneForVisitor wheel = desk.wheel();
     if (which > wheel.tools.size() || cut_off_) return;
     let_go();
-    if (drawer_ == Drawer::tools) open_drawer(Drawer::closed);  // the pot is seen again
+    show_pot();
     const WallHold::Part fine{0, wheel.tool_radius};
     if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
       desk.world.wheel_commands->wheel(0);

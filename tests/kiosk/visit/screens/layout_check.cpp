@@ -17,7 +17,6 @@ using view::Rect;
 namespace {
 
 constexpr float kTouching = 1.5f;  // Pixels that may meet: hairlines, rounding.
-constexpr double kDimmed = 0.5;    // Opacity of a pot.
 
 bool overlap(const Rect& a, const Rect& b) {
   return a.x + a.w - kTouching > b.x && b.x + b.w - kTouching > a.x &&
@@ -53,12 +52,8 @@ view::Color over(view::Color top, view::Color ground) {
 
 /// What the `count` first items leave at a place, on plaster where it is darkest: in the corner
 /// that is farthest from the window (kiosk/picture/render/shaders/plaster.glsl).
-/// Words over a pot that is dimmed for them may stand on black clay.
-view::Color ground_at(const view::Frame& frame, std::size_t count, float x, float y) {
-  const auto& items = frame.items;
+view::Color ground_at(const std::vector<view::Item>& items, std::size_t count, float x, float y) {
   view::Color ground{0.8811f, 0.8597f, 0.8294f, 1};
-  if (frame.pot && frame.pot->opacity < kDimmed)
-    ground = over({0, 0, 0, static_cast<float>(frame.pot->opacity)}, ground);
   for (std::size_t i = 0; i < count; ++i)
     if (const auto* box = std::get_if<view::Box>(&items[i]); box && box->rect.contains(x, y))
       ground = over(box->fill, ground);
@@ -73,7 +68,7 @@ void check_contrast(const Visitor& v, const std::string& where) {
     const auto* text = std::get_if<view::Text>(&items[i]);
     if (text == nullptr || text->color.a < 1) continue;
     const Rect& box = text->box;
-    const auto ground = ground_at(v.frame, i, box.x + box.w / 2, box.y + box.h / 2);
+    const auto ground = ground_at(items, i, box.x + box.w / 2, box.y + box.h / 2);
     EXPECT_GE(view::contrast(text->color, ground), least) << where << ": faint: " << text->text;
   }
 }
@@ -81,7 +76,7 @@ void check_contrast(const Visitor& v, const std::string& where) {
 /// No control stands on the wheel head, and all of that is on the screen.
 void check_wheel(const Visitor& v, const std::string& where) {
   const auto& pot = v.frame.pot;
-  if (!pot || !pot->wheel || pot->opacity < kDimmed) return;
+  if (!pot || !pot->wheel || pot->opacity < 0.5) return;
   constexpr double kThick = 0.024;
   for (int i = 0; i < 48; ++i)
     for (const double y : {0.0, -kThick}) {
@@ -119,7 +114,7 @@ void add_shadow(std::vector<std::pair<float, float>>& all, const view::PotView& 
 /// Nothing that is touched stands in the shadow of what stands on the page.
 void check_shadow(const Visitor& v, const std::string& where) {
   const auto& pot = v.frame.pot;
-  if (!pot || pot->opacity < kDimmed) return;
+  if (!pot || pot->opacity < 0.5) return;
   std::vector<std::pair<float, float>> shadow;
   add_shadow(shadow, *pot, pot->camera, v.clay.profile(), pot->size);
   if (pot->beside) add_shadow(shadow, *pot, pot->beside->camera, v.shelf.front().target, 1);

@@ -69,7 +69,7 @@ void walk_missions(Visitor& v, const std::function<void(const std::string&)>& lo
     settled(name + " " + control);
     v.touch(control + ".close");
   };
-  v.touch("attract.begin");
+  v.begin();
   settled("missions");
   for (std::size_t n = 0; n < v.missions.size(); ++n) {
     const Kind kind = v.missions[n].mission->kind;

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "kiosk/picture/view/palette.h"
 #include "kiosk/visit/screens/layout.h"
 #include "kiosk/visit/screens/throwing_controls.h"
 #include "tests/kiosk/visit/screens/visitor.h"
@@ -158,6 +159,8 @@ TEST(ThrowingScreen, WhatIsOnIsTickedAndTintedAndOnlyTheStepOnwardIsSolid) {
   EXPECT_TRUE(solid(v, "throw.done"));
   EXPECT_FALSE(ticked(v, "throw.done"));
   v.touch("throw.inside");
+  EXPECT_FALSE(v.visit->control("throw.inside")) << "the pot is seen again";
+  v.touch("throw.tools");
   EXPECT_TRUE(ticked(v, "throw.inside"));
   EXPECT_FALSE(ticked(v, "throw.both"));
 }
@@ -236,6 +239,23 @@ TEST(ThrowingScreen, AToolInTheHandIsNamedWhereAnotherIsTakenUp) {
   v.touch("throw.tool.4");
   EXPECT_NE(words_in(v.frame).find("Flat rib\n"), std::string::npos);
   EXPECT_EQ(words_in(v.frame).find("Tools\n"), std::string::npos);
+}
+
+/// The dimmed pot lies behind the words, black clay in the plaster's darkest corner at worst
+/// (layout_check.cpp).
+TEST(ThrowingScreen, WhatAToolDoesIsReadOverAnyPot) {
+  AtTheWheel v(1280, 720);
+  v.touch("throw.tools");
+  v.frames(1);
+  const auto left = static_cast<float>(1 - v.frame.pot->opacity);
+  const view::Color ground{0.8811f * left, 0.8597f * left, 0.8294f * left, 1};
+  int read = 0;
+  for (const view::Item& item : v.frame.items)
+    if (const auto* text = std::get_if<view::Text>(&item); text && text->color == view::kFaintInk) {
+      EXPECT_GE(view::contrast(text->color, ground), 4.5) << text->text;
+      ++read;
+    }
+  EXPECT_GE(read, 8);
 }
 
 TEST(ThrowingScreen, NoWordOfAToolsNameIsBroken) {
