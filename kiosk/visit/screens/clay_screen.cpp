@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "kiosk/visit/screens/overlays.h"
@@ -19,6 +20,9 @@ using view::InputEvent;
 using view::Key;
 
 namespace {
+
+// Of the outer radius, in one touch: who presses the pot's middle would cut it in two.
+constexpr double kDeepest = 0.3;
 
 class FirstClay final : public Screen {
  public:
@@ -151,6 +155,10 @@ class FirstClay final : public Screen {
       grab(e, camera_.on_axis_plane(e.x, e.y));
   }
   void grab(const InputEvent& e, Vec2 at) {
+    if (e.kind == InputEvent::Kind::pointer_down) touched_ = desk.world.wheel->clay.profile();
+    if (!touched_.points.empty())
+      at.x =
+          std::copysign(std::max(std::abs(at.x), (1 - kDeepest) * touched_.outer_at(at.y)), at.x);
     if (!hands_.pointer(e, at, desk.world.wheel->clay, Grip::both, false)) return;
     desk.world.wheel_commands->water(hands_.grabbed());  // wet clay gives way
     send_hand();
@@ -169,6 +177,7 @@ class FirstClay final : public Screen {
   ShowMe show_;
   view::Camera camera_;
   std::optional<Desk::Began> began_;  ///< Waits for its pot.
+  Profile touched_;                   ///< The pot as it was when the finger went down.
   bool menu_ = false;                 ///< The keys move among buttons.
   bool keyed_ = false;                ///< The arrows pressed last.
   std::uint32_t serial_ = 0;

@@ -51,6 +51,22 @@ TEST(ClayScreen, AFingerOnAttractsClayPressesThatClayAtOnceAndTheShelfComesAfter
   EXPECT_FALSE(v.wheel_commands.waters.back());
 }
 
+TEST(ClayScreen, OneTouchOfThePotsMiddleDoesNotCutItInTwo) {
+  Visitor v;
+  v.frames(2);
+  v.press_clay();
+  v.show();
+  const double r = v.clay.profile().outer_at(0.1);
+  const auto middle = *v.frame.pot->camera.project({0.002, 0.1, 0});
+  v.move(middle.first, middle.second);
+  v.frames(3);
+  double least = 1;
+  for (const HandInput& h : v.wheel_commands.hands)
+    if (h.active && h.side == SideWish::outside) least = std::min(least, h.position.x);
+  EXPECT_GT(least, 0.65 * r);
+  EXPECT_LT(least, 0.9 * r) << "but it gives";
+}
+
 TEST(ClayScreen, APotThatWasCutOffOrFellIsAFreshLumpUnderTheFinger) {
   for (const bool cut : {true, false}) {
     Visitor v;
