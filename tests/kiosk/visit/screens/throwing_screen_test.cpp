@@ -233,6 +233,23 @@ TEST(ThrowingScreen, TwoDrawersHoldAllElseAndAHandOnThePotClosesThem) {
   }
 }
 
+TEST(ThrowingScreen, WhatIsUsedMostStaysWhicheverDrawerIsOpen) {
+  for (const auto& [w, h] : {std::pair{1080, 1920}, {1280, 720}, {1024, 600}})
+    for (const bool by_buttons : {false, true}) {
+      AtTheWheel v(w, h);
+      v.exhibit.screen.one_switch = by_buttons;
+      v.frames(2);
+      for (const char* drawer : {"throw.tools", "throw.wheel"})
+        for (const char* most : {"throw.done", "throw.water"}) {
+          const auto closed = v.visit->control(most);
+          ASSERT_TRUE(closed) << w << most;
+          v.touch(drawer);
+          EXPECT_EQ(v.visit->control(most), closed) << w << drawer << most << by_buttons;
+          v.touch("throw.less");
+        }
+    }
+}
+
 TEST(ThrowingScreen, AToolInTheHandIsNamedWhereAnotherIsTakenUp) {
   AtTheWheel v(1280, 720);
   EXPECT_NE(words_in(v.frame).find("Tools\n"), std::string::npos);
