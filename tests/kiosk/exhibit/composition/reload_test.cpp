@@ -47,7 +47,7 @@ class Frames {
   Frames(const Museum& museum, Reload::Shown shown) : reload_(museum.exhibit(), shown) { pass(); }
   /// Long enough for a change that began before to be looked at, where the machine is not slow.
   void pass() {
-    for (int frame = 0; frame < 400; ++frame) one();
+    for (int frame = 0; frame < 1000; ++frame) one();
   }
   bool wanted() const { return reload_.wanted(); }
   bool soon_wanted() {
