@@ -163,6 +163,7 @@ class Throwing final : public Screen {
       mishap_.go_back(desk);
     } else if (control == "throw.show") {
       if (held_ > 0) take_up(0);
+      show_pot();
       if (const Profile* target = aim()) show_.press(desk, *target, key_sign(), hands_.lead());
       send_hand();
     } else if (control == "throw.tools" || control == "throw.wheel" || control == "throw.less") {

@@ -44,16 +44,16 @@ TEST(room, keepsakes_and_those_whose_page_is_promised_are_counted_each_once) {
 TEST(room, pages_are_promised_while_what_is_promised_fits_the_quota) {
   Room room{2'000'000'000, 2'000'000'000, 0, 0};
   EXPECT_TRUE(room.for_a_page()) << "what nobody was promised makes way";
-  EXPECT_EQ(room.pages_left(), 499u);
-  room.promised = 1'992'000'000;
-  room.pages = 498;
+  EXPECT_EQ(room.pages_left(), 249u);
+  room.promised = 1'984'000'000;
+  room.pages = 248;
   EXPECT_TRUE(room.for_a_page());
   EXPECT_EQ(room.pages_left(), 1u);
-  room.promised = 1'996'000'000;
-  room.pages = 499;
+  room.promised = 1'992'000'000;
+  room.pages = 249;
   EXPECT_FALSE(room.for_a_page());
   EXPECT_EQ(room.pages_left(), 0u);
-  EXPECT_TRUE((Room{10'000'000, 0, 0, 0}).for_a_page()) << "the least quota";
+  EXPECT_TRUE((Room{16'000'000, 0, 0, 0}).for_a_page()) << "one, and one on its way";
   // Visits that are larger than usual need more.
   EXPECT_FALSE((Room{100'000'000, 0, 60'000'000, 2}).for_a_page());
 }
@@ -62,7 +62,7 @@ TEST(room, staff_are_told_with_figures_from_half_the_quota_on) {
   EXPECT_FALSE(warning_of({2'000'000'000, 1'999'000'000, 999'000'000, 250}, 24));
   const auto half = warning_of({2'000'000'000, 2'000'000'000, 1'000'000'000, 250}, 24);
   ASSERT_TRUE(half);
-  for (const char* told : {"250 visitors", "24 hours", "1000 of 2000 MB", "room for 249 more"})
+  for (const char* told : {"250 visitors", "24 hours", "1000 of 2000 MB", "room for 124 more"})
     EXPECT_THAT(half->what, HasSubstr(told));
   EXPECT_THAT(half->where, HasSubstr("quota_mb"));
   EXPECT_THAT(half->remedy, HasSubstr("at least 2001"));
