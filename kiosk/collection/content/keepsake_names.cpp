@@ -95,8 +95,9 @@ KeepsakeNames::Read KeepsakeNames::read(const std::filesystem::path& file,
     }
   for (const std::string& code : languages)
     if (reader.ok() && !out.names.order_.contains(code))
-      order.complain("", "Keepsakes have no names in the language \"" + code + "\".",
-                     "Write an order in it, and each word; until then names are English.");
+      out.notes.push_back({file.string(),
+                           "Keepsakes have no names in the language \"" + code + "\".",
+                           "Write an order in it, and each word; until then names are English."});
   for (std::size_t k = 0; k < kLists.size(); ++k) {
     Table list = root.child(kLists[k]);
     std::set<std::pair<std::string, std::string>> said;

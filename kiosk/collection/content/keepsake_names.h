@@ -17,8 +17,8 @@ namespace onggi::content {
 class KeepsakeNames {
  public:
   struct Read;
-  /// Reads content/names.toml. Each of `languages` needs an order and each word. A word without
-  /// English is left out.
+  /// Reads content/names.toml. One of `languages` without an order is noted; with one it needs each
+  /// word. A word without English is left out.
   static Read read(const std::filesystem::path& file,
                    const std::vector<std::string>& languages = {});
 
@@ -50,6 +50,7 @@ class KeepsakeNames {
 struct KeepsakeNames::Read {
   KeepsakeNames names;
   std::vector<Problem> problems;
+  std::vector<Problem> notes;  ///< Languages without names.
   int keys_checked = 0;
 };
 

@@ -89,6 +89,7 @@ void check_names(CheckReport& report, const fs::path& file,
                  const std::vector<std::string>& languages) {
   auto names = content::KeepsakeNames::read(file, languages);
   add(report, file, names.keys_checked, std::move(names.problems));
+  report.notes.insert(report.notes.end(), names.notes.begin(), names.notes.end());
 }
 
 /// The missions' ids. `exhibit`: their exhibit, null if not known; `shelf`: the ids there.

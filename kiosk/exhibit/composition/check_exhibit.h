@@ -15,7 +15,7 @@ struct CheckReport {
   int keys = 0, vessels = 0, languages = 0;
   std::vector<Problem> problems;
   bool whole = false;  ///< An exhibit and everything that it leads to, not one of its files.
-  std::vector<Problem> notes;  ///< What is left out on purpose: unfinished vessels.
+  std::vector<Problem> notes;  ///< Left out on purpose: unfinished vessels, names.
 
   /// "All good: checked ..." or "2 problems: checked ...", with the counts.
   std::string summary() const;

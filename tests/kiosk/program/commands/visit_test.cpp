@@ -181,11 +181,11 @@ TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
 TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysWhy) {
   const ScratchFolder folder;
   const std::string out = (folder / "out").string();
-  // 800 kB a file: enough for the pictures of small screens, not for the postcard.
+  // 800 kB a file: enough for the pictures of small screens, not for the pot's model.
   const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --out " + out,
                             "ulimit -f 800");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("postcard"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("pot.glb"), std::string::npos) << run.err;
   EXPECT_TRUE(fs::exists(out + "/screens/11_keepsake.png"));
   for (const auto& entry : fs::recursive_directory_iterator(out))
     EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
