@@ -149,7 +149,7 @@ Problem no_shelf(const fs::path& folder, const std::error_code& error) {
 Problem too_many(const fs::path& folder, std::size_t vessels) {
   return {folder.string(),
           "the shelf has " + std::to_string(vessels) + " vessels, and the kiosk shows " +
-              std::to_string(kMostOnShelf) + " at the most, the first by name.",
+              std::to_string(kMostOnShelf) + " at the most, the first of them.",
           "Move vessels to another folder, for another exhibit."};
 }
 

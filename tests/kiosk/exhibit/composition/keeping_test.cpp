@@ -53,8 +53,6 @@ TEST_F(PhoneKiosk, NoFrameDrawsTwoPicturesOfAKeepsake) {
   EXPECT_TRUE(kiosk_->doing().kept->saved->value().print.has_filename());
 }
 
-// Guards `keeping_->draw_rest()` before a pot is put on the wheel: the rest of a keepsake is drawn
-// of the clay that is there.
 TEST_F(PhoneKiosk, AKeepsakeIsWholeThoughItsVisitorStartsAnewAtOnce) {
   ask_to_keep_a_pot(false);
   const auto made = kiosk_->doing().kept->state_hash;
