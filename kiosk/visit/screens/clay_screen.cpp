@@ -163,13 +163,7 @@ class FirstClay final : public Screen {
     desk.world.wheel_commands->water(hands_.grabbed());  // wet clay gives way
     send_hand();
   }
-  void send_hand() {
-    Vec3 right, up, back;
-    camera_.basis(right, up, back);
-    const auto hands = hands_.input(right);
-    for (int n = 0; n < kMaxHands; ++n)
-      desk.world.wheel_commands->hand(n, hands[static_cast<std::size_t>(n)]);
-  }
+  void send_hand() { hands_.send(desk, camera_); }
 
   std::shared_ptr<PotPicture> picture_;
   WheelHands hands_;

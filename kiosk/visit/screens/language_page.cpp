@@ -27,7 +27,7 @@ void lay_out_languages(Page& page, const Desk& desk) {
   Column column(page, page.where().page);
   column.foot_buttons(reading_buttons(desk));
   column.foot_space(t.gap);
-  column.foot_buttons({{"language.close", desk.say("help.close"), Look::solid}});
+  column.foot_buttons({{"language.close", desk.say("all.back"), Look::outline}});
   column.foot_space(t.gap * 2);
   std::vector<Button> cells;
   for (const content::Language& language : *desk.world.languages) {

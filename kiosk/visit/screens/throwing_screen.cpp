@@ -287,13 +287,7 @@ class Throwing final : public Screen {
     send_hand();
   }
   double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
-  void send_hand() {
-    Vec3 right, up, back;
-    camera_.basis(right, up, back);
-    const auto hands = hands_.input(right);
-    for (int n = 0; n < kMaxHands; ++n)
-      desk.world.wheel_commands->hand(n, hands[static_cast<std::size_t>(n)]);
-  }
+  void send_hand() { hands_.send(desk, camera_); }
   /// The target outline, if a hand may work towards it.
   const Profile* aim() const {
     const ShelfCard* card = desk.shelf_card(desk.card);

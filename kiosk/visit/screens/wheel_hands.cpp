@@ -64,8 +64,12 @@ void WheelHands::lift() {
   if (two_) two_->lift();
 }
 
-std::array<HandInput, kMaxHands> WheelHands::input(Vec3 right) const {
-  return two_ && !lead_.active() ? two_->input(right) : lead_.input(right);
+void WheelHands::send(const Desk& desk, const view::Camera& camera) const {
+  Vec3 right, up, back;
+  camera.basis(right, up, back);
+  const auto hands = two_ && !lead_.active() ? two_->input(right) : lead_.input(right);
+  for (int n = 0; n < kMaxHands; ++n)
+    desk.world.wheel_commands->hand(n, hands[static_cast<std::size_t>(n)]);
 }
 
 }  // namespace onggi::screens

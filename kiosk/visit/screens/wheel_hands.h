@@ -33,7 +33,8 @@ class WheelHands {
   /// As in PointerLead; with two visitors the outside hand takes it.
   void take_up(device::WallHold::Part broad, device::WallHold::Part fine);
   void lift();
-  std::array<HandInput, kMaxHands> input(Vec3 right) const;
+  /// Tells the wheel where they are, as seen by `camera`.
+  void send(const Desk& desk, const view::Camera& camera) const;
 
   bool two() const { return two_.has_value(); }
   bool active() const { return lead_.active() || (two_ && two_->active()); }
