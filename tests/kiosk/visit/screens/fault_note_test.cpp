@@ -15,7 +15,7 @@ TEST(FaultNote, WhatTheWheelPutRightIsToldInKindWordsForAWhileAndForgottenAtTheW
   };
   for (const Told& told : {Told{kFaultInput, "lost track of the hand", "손을 잠깐 놓쳤습니다"},
                            Told{kFaultTime, "paused for a moment", "물레가 잠깐 멈췄습니다"},
-                           Told{kFaultForce, "eased the force", "힘을 잠깐 줄였습니다"}})
+                           Told{kFaultForce, "force softer", "힘을 잠깐 줄였습니다"}})
     for (const bool korean : {false, true}) {
       Visitor v;
       if (korean) v.speak("ko");
@@ -41,7 +41,7 @@ TEST(FaultNote, OfSeveralThatOneIsToldWhichTheHandFeelsAndAllAreForgotten) {
   v.throw_a_pot();
   v.status.feedback.faults = kFaultInput | kFaultTime | kFaultForce;
   v.show();
-  EXPECT_NE(words_in(v.frame).find("eased the force"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("force softer"), std::string::npos);
   EXPECT_EQ(v.wheel_commands.cleared, kFaultInput | kFaultTime | kFaultForce);
 }
 
@@ -49,7 +49,7 @@ TEST(FaultNote, NobodyIsToldWhereNobodyIsAtTheWheelButTheWheelForgetsAllTheSame)
   Visitor v;
   v.status.feedback.faults = kFaultForce;
   v.frames(1);
-  EXPECT_EQ(words_in(v.frame).find("eased the force"), std::string::npos);
+  EXPECT_EQ(words_in(v.frame).find("force softer"), std::string::npos);
   EXPECT_EQ(v.wheel_commands.cleared, std::uint32_t{kFaultForce});
 }
 

@@ -76,7 +76,7 @@ TEST(StrokeBoard, AStrokeIsMadeByTheVisitorsHandsWhereItWasAskedAndToldUntilItIs
   v.frames(1.5);
   ScreenText reading = v.visit->reading();
   EXPECT_TRUE(reading.working);
-  EXPECT_NE(words_in(v.frame).find("Narrow, High: the hands are at work."), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("The hands are working: Narrow, High."), std::string::npos);
   ASSERT_GE(v.wheel_commands.hands.size(), 2u);
   const HandInput& hand = v.wheel_commands.hands[v.wheel_commands.hands.size() - 2];
   EXPECT_TRUE(hand.active);
