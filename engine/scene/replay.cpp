@@ -1,6 +1,8 @@
 #include "engine/scene/replay.h"
 
-#include <algorithm>
+#include <array>
+#include <bit>
+#include <type_traits>
 
 #include "engine/scene/replay_bytes.h"
 #include "engine/scene/replay_scene.h"
@@ -44,39 +46,119 @@ bool same(double a, double b) {
 }
 bool same(Vec3 a, Vec3 b) { return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z); }
 
-template <class Io>
-bool vec(Io& io, Vec3& v) {
-  return io(v.x) && io(v.y) && io(v.z);
-}
-
 bool same_hold(const HandInput& a, const HandInput& b) {
   return a.tool == b.tool && same(a.handle, b.handle) && same(a.roll, b.roll);
 }
 
+// Calls `io` with each value of the fields that `fields` names, and its column, for both writing
+// and reading.
 template <class Io>
-bool hold(Io& io, HandInput& hand) {
-  return io(hand.tool) && vec(io, hand.handle) && io(hand.roll);
-}
-
-// The fields that `fields` names, for both writing and reading.
-template <class Io>
-bool tick_fields(Io& io, std::uint8_t fields, TickRecord& r) {
+bool tick_fields(Io&& io, std::uint8_t fields, TickRecord& r) {
+  const auto vec = [&](Vec3& v, std::size_t column) {
+    return io(v.x, column) && io(v.y, column + 1) && io(v.z, column + 2);
+  };
+  const auto hold = [&](std::size_t hand, std::size_t column) {
+    HandInput& held = r.hands.hand[hand];
+    return io(held.tool, hand) && vec(held.handle, column) && io(held.roll, column + 3);
+  };
   std::uint16_t switches = switches_of(r.hands);
   bool good = true;
-  if ((fields & kHand0) != 0) good = vec(io, r.hands.hand[0].position);
-  if ((fields & kHand1) != 0) good = good && vec(io, r.hands.hand[1].position);
-  if ((fields & kSwitches) != 0) good = good && io(switches) && put_switches(r.hands, switches);
-  if ((fields & kWheel) != 0) good = good && io(r.hands.wheel_speed);
-  if ((fields & kTime) != 0) good = good && io(r.dt);
-  if ((fields & kHold0) != 0) good = good && hold(io, r.hands.hand[0]);
-  if ((fields & kHold1) != 0) good = good && hold(io, r.hands.hand[1]);
+  if ((fields & kHand0) != 0) good = vec(r.hands.hand[0].position, 0);
+  if ((fields & kHand1) != 0) good = good && vec(r.hands.hand[1].position, 3);
+  if ((fields & kSwitches) != 0) good = good && io(switches, 0) && put_switches(r.hands, switches);
+  if ((fields & kWheel) != 0) good = good && io(r.hands.wheel_speed, 6);
+  if ((fields & kTime) != 0) good = good && io(r.dt, 7);
+  if ((fields & kHold0) != 0) good = good && hold(0, 8);
+  if ((fields & kHold1) != 0) good = good && hold(1, 12);
   return good;
+}
+
+// Takes values out of columns, as tick_fields() asks.
+class ColumnFeed {
+ public:
+  explicit ColumnFeed(const Columns& columns) : columns_(columns) {}
+  bool operator()(double& v, std::size_t n) {
+    v = std::bit_cast<double>(columns_.numbers[n][numbers_[n]++]);
+    return true;
+  }
+  bool operator()(std::uint8_t& tool, std::size_t n) {
+    tool = columns_.tools[n][tools_[n]++];
+    return true;
+  }
+  bool operator()(std::uint16_t& switches, std::size_t) {
+    switches = columns_.switches[switches_++];
+    return true;
+  }
+
+ private:
+  const Columns& columns_;
+  std::array<std::size_t, kNumbers> numbers_{};
+  std::array<std::size_t, kMaxHands> tools_{};
+  std::size_t switches_ = 0;
+};
+
+constexpr const char* kBadTick = "A tick is damaged or cut short.";
+constexpr const char* kTooLong = "The replay is longer than an hour.";
+
+// What follows a replay's beginning. Null, or what is wrong.
+const char* read_columns_of(Reader& io, Replay& replay) {
+  std::uint32_t notes = 0;
+  if (!io.text(replay.glaze, kLongestId) || !io(replay.final_hash) || !io(notes))
+    return "The replay's beginning is cut short or damaged.";
+  for (std::uint32_t n = 0; n < notes; ++n) {
+    Note note;
+    if (!io(note.tick) || !io(note.hash)) return "The replay is cut short within a hash.";
+    if (!replay.notes.empty() && note.tick < replay.notes.back().tick)
+      return "The replay's hashes are not in order.";
+    replay.notes.push_back(note);
+  }
+  Columns columns;
+  if (!read_columns(io, columns)) return kBadTick;
+  if (columns.fields.size() > kMostTicks) return kTooLong;
+  if (io.left() != 0) return "The replay's end is damaged.";
+  if (!replay.notes.empty() && replay.notes.back().tick > columns.fields.size())
+    return "A hash is noted behind the last tick.";
+  TickRecord last;
+  ColumnFeed feed(columns);
+  replay.ticks.reserve(columns.fields.size());
+  for (const std::uint8_t fields : columns.fields) {
+    if (!tick_fields(feed, fields, last)) return kBadTick;
+    replay.ticks.push_back(last);
+  }
+  return nullptr;
+}
+
+// Likewise, of a version before kFirstColumns.
+const char* read_rows_of(Reader& io, Replay& replay) {
+  TickRecord last;
+  const auto take = [&io](auto& value, std::size_t) { return io(value); };
+  for (;;) {
+    std::uint8_t tag = 0;
+    if (!io(tag)) return "The replay is cut short: it has no end.";
+    if (tag == kEnd) {
+      if (!io(replay.final_hash) || io.left() != 0) return "The replay's end is damaged.";
+      return nullptr;
+    }
+    if (tag == kNote) {
+      Note note{replay.ticks.size(), 0};
+      if (!io(note.hash)) return "The replay is cut short within a hash.";
+      replay.notes.push_back(note);
+      continue;
+    }
+    if (tag == kGlaze) {
+      if (!io.text(replay.glaze, kLongestId)) return "The replay is cut short in a name.";
+      continue;
+    }
+    if ((tag & ~unsigned{kAllFields}) != 0 || !tick_fields(take, tag, last)) return kBadTick;
+    if (replay.ticks.size() == kMostTicks) return kTooLong;
+    replay.ticks.push_back(last);
+  }
 }
 
 }  // namespace
 
 ReplayWriter::ReplayWriter(const SceneDef& def, const std::string& vessel_id, std::uint64_t seed) {
-  Writer io(bytes_);
+  Writer io(head_);
   std::uint64_t magic = kMagic;
   std::uint32_t version = kVersion;
   io(magic);
@@ -98,31 +180,38 @@ void ReplayWriter::tick(const TickRecord& record) {
   if (!same_hold(now.hand[0], then.hand[0])) fields |= kHold0;
   if (!same_hold(now.hand[1], then.hand[1])) fields |= kHold1;
   last_ = record;
-  Writer io(bytes_);
-  auto tag = static_cast<std::uint8_t>(fields);
-  io(tag);
-  tick_fields(io, tag, last_);
+  columns_.fields.push_back(static_cast<std::uint8_t>(fields));
+  const auto keep = [this]<class Value>(const Value& value, std::size_t n) {
+    if constexpr (std::is_same_v<Value, double>)
+      columns_.numbers[n].push_back(std::bit_cast<std::uint64_t>(value));
+    else if constexpr (std::is_same_v<Value, std::uint8_t>)
+      columns_.tools[n].push_back(value);
+    else
+      columns_.switches.push_back(value);
+    return true;
+  };
+  tick_fields(keep, columns_.fields.back(), last_);
 }
 
 void ReplayWriter::note_hash(std::uint64_t state_hash) {
-  Writer io(bytes_);
-  std::uint8_t tag = kNote;
-  io(tag);
-  io(state_hash);
+  notes_.push_back({columns_.fields.size(), state_hash});
 }
 
-std::vector<std::byte> ReplayWriter::finish(std::uint64_t state_hash, const std::string& glaze) {
-  Writer io(bytes_);
-  if (!glaze.empty()) {
-    std::uint8_t glazed = kGlaze;
-    io(glazed);
-    io.text(glaze, kLongestId);
-  }
-  std::uint8_t tag = kEnd;
-  io(tag);
+std::vector<std::byte> ReplayWriter::finish(std::uint64_t state_hash,
+                                            const std::string& glaze) const {
+  std::vector<std::byte> bytes = head_;
+  Writer io(bytes);
+  io.text(glaze, kLongestId);
   io(state_hash);
-  seal(bytes_);
-  return std::move(bytes_);
+  auto notes = static_cast<std::uint32_t>(notes_.size());
+  io(notes);
+  for (Note note : notes_) {
+    io(note.tick);
+    io(note.hash);
+  }
+  write_columns(io, columns_);
+  seal(bytes);
+  return bytes;
 }
 
 Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string& name) {
@@ -141,7 +230,7 @@ Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string&
   if (body.empty())
     return malformed("The replay is damaged or cut short: its checksum is of other bytes.");
   Replay replay;
-  replay.earlier_laws = version < kVersion;
+  replay.earlier_laws = version < kLaws;
   std::string unknown;
   const bool read = read_scene(io, version, replay.def, unknown);
   if (!unknown.empty())
@@ -152,32 +241,10 @@ Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string&
   if (auto good = validate(replay.def); !good)
     return problem(name + ", " + good.error().where, good.error().what,
                    "The file is damaged: use a replay that this program wrote.");
-
-  TickRecord last;
-  for (;;) {
-    std::uint8_t tag = 0;
-    if (!io(tag)) return malformed("The replay is cut short: it has no end.");
-    if (tag == kEnd) {
-      if (!io(replay.final_hash) || io.left() != 0)
-        return malformed("The replay's end is damaged.");
-      return replay;
-    }
-    if (tag == kNote) {
-      Note note{replay.ticks.size(), 0};
-      if (!io(note.hash)) return malformed("The replay is cut short within a hash.");
-      replay.notes.push_back(note);
-      continue;
-    }
-    if (tag == kGlaze) {
-      if (!io.text(replay.glaze, kLongestId))
-        return malformed("The replay is cut short in a name.");
-      continue;
-    }
-    if ((tag & ~unsigned{kAllFields}) != 0 || !tick_fields(io, tag, last))
-      return malformed("A tick is damaged or cut short.");
-    if (replay.ticks.size() == kMostTicks) return malformed("The replay is longer than an hour.");
-    replay.ticks.push_back(last);
-  }
+  const char* const wrong =
+      version < kFirstColumns ? read_rows_of(io, replay) : read_columns_of(io, replay);
+  if (wrong != nullptr) return malformed(wrong);
+  return replay;
 }
 
 Result<ReplayOutcome> run_replay(const Replay& replay, std::unique_ptr<Scene>* scene_out) {

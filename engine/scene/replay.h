@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/scene/replay_columns.h"
 #include "engine/scene/scene.h"
 
 namespace onggi {
@@ -18,21 +19,23 @@ struct TickRecord {
   double dt = 0.001;
 };
 
-/// Writes a replay: a header (magic, version, SceneDef, vessel id), then for each tick the fields
-/// that changed (an unchanged tick is one byte). A state hash may be noted every simulated second.
-/// At the end: the chosen glaze, the last hash, and a CRC-64 of everything before. Bit for bit,
-/// including NaN and -0; always little-endian. Allocates; not for the tick.
+/// Writes a replay: a header (magic, version, SceneDef, seed, vessel id), the fired glaze, the last
+/// hash, hashes noted on the way, what changed in each tick, by columns (replay_columns.h), and a
+/// CRC-64 of everything before. Bit for bit, including NaN and -0; always little-endian. An
+/// unchanged tick is one byte. Allocates; not for the tick.
 class ReplayWriter {
  public:
   ReplayWriter(const SceneDef& def, const std::string& vessel_id, std::uint64_t seed);
   void tick(const TickRecord& record);
   void note_hash(std::uint64_t state_hash);
-  /// Ends the replay with the final hash and returns its bytes. `glaze`: id of the fired glaze;
-  /// empty if not fired.
-  std::vector<std::byte> finish(std::uint64_t state_hash, const std::string& glaze = {});
+  /// The replay so far, ended with the final hash. `glaze`: id of the fired glaze; empty if not
+  /// fired.
+  std::vector<std::byte> finish(std::uint64_t state_hash, const std::string& glaze = {}) const;
 
  private:
-  std::vector<std::byte> bytes_;
+  std::vector<std::byte> head_;
+  replay_bytes::Columns columns_;
+  std::vector<replay_bytes::Note> notes_;
   TickRecord last_;
 };
 
@@ -57,12 +60,8 @@ struct Replay {
   std::string vessel_id;
   bool earlier_laws = false;  ///< As in ReplayOutcome.
   std::uint64_t seed = 0;
-  struct Note {
-    std::uint64_t tick = 0;  ///< Ticks done when it was noted.
-    std::uint64_t hash = 0;
-  };
   std::vector<TickRecord> ticks;
-  std::vector<Note> notes;
+  std::vector<replay_bytes::Note> notes;
   std::uint64_t final_hash = 0;
   std::string glaze;  ///< Empty: not fired.
   static Result<Replay> read(std::span<const std::byte> bytes, const std::string& name);

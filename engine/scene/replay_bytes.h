@@ -11,12 +11,16 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 15;  ///< Version of the format, and of the clay's laws.
+/// Version of the format and of the clay's laws: a change of either raises it.
+inline constexpr std::uint32_t kVersion = 16;
+inline constexpr std::uint32_t kLaws = 15;  ///< The first version with today's laws of the clay.
+/// The first version that has columns. Before, the fields that changed stood behind each tick.
+inline constexpr std::uint32_t kFirstColumns = 16;
 /// Oldest version that can be read (replay_scene.h).
 inline constexpr std::uint32_t kOldestVersion = 11;
 
-/// A tick is a byte of flags for the fields that follow (0: nothing changed), or one of the marks
-/// below.
+/// A tick is a byte of flags for the fields that changed (0: none). Versions before kFirstColumns
+/// had marks between the ticks.
 enum Tag : std::uint8_t {
   kHand0 = 1u << 0,     // three doubles
   kHand1 = 1u << 1,     // three doubles
@@ -53,6 +57,12 @@ class Writer {
     whole(size, 4);
     for (std::size_t n = 0; n < size; ++n) out_.push_back(static_cast<std::byte>(v[n]));
     return true;
+  }
+
+  /// `size` zero bytes at the end, to be filled in; valid until the next value.
+  std::span<std::byte> room(std::size_t size) {
+    out_.resize(out_.size() + size);
+    return std::span(out_).last(size);
   }
 
  private:
@@ -94,6 +104,12 @@ class Reader {
     std::uint32_t size = 0;
     if (!whole(size, 4) || size > most || size > left()) return false;
     v.assign(reinterpret_cast<const char*>(in_.data() + at_), size);
+    at_ += size;
+    return true;
+  }
+  bool bytes(std::span<const std::byte>& v, std::size_t size) {
+    if (left() < size) return false;
+    v = in_.subspan(at_, size);
     at_ += size;
     return true;
   }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes what a fuzzer begins with: tests/fuzz/seeds.py document|parts|texture FOLDER (tests/fuzz/run calls it)."""
+"""Writes what a fuzzer begins with: tests/fuzz/seeds.py document|parts|texture|replay FOLDER (tests/fuzz/run calls it)."""
 
 import base64
 import json
@@ -64,8 +64,16 @@ def textures():
     return whole
 
 
+def replays():
+    """One of each version that tests/golden keeps: rows and columns."""
+    folder = os.path.join(os.path.dirname(__file__), "..", "golden")
+    return [open(os.path.join(folder, name), "rb").read() for name in sorted(os.listdir(folder))
+            if name.endswith(".onggi")]
+
+
 if __name__ == "__main__":
     os.makedirs(sys.argv[2], exist_ok=True)
-    for i, seed in enumerate({"document": documents, "parts": parts, "texture": textures}[sys.argv[1]]()):
+    kinds = {"document": documents, "parts": parts, "texture": textures, "replay": replays}
+    for i, seed in enumerate(kinds[sys.argv[1]]()):
         with open(os.path.join(sys.argv[2], "seed_%d" % i), "wb") as out:
             out.write(seed)

@@ -7,7 +7,7 @@
 namespace onggi::files {
 
 namespace {
-constexpr int kLevel = 12;  // two minutes of a visit (3.6 MB) take a quarter of a second
+constexpr int kLevel = 12;  // two minutes of a visit (3.6 MB) take a tenth of a second
 constexpr unsigned char kMagic[] = {0x28, 0xB5, 0x2F, 0xFD};  // RFC 8878, 3.1.1
 }  // namespace
 

@@ -1,7 +1,11 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "kiosk/ground/files/local_time.h"
+#include "kiosk/ground/files/read_file.h"
+#include "kiosk/ground/files/wall_clock.h"
 #include "kiosk/lab/commands/lab_commands.h"
 #include "kiosk/lab/measure/accuracy_picture.h"
 #include "kiosk/lab/measure/accuracy_report.h"
@@ -16,12 +20,32 @@ struct AccuracyArguments {
   files::Output json{files::Output::Kind::json};
   files::Output csv{files::Output::Kind::csv};
   files::Output plot{files::Output::Kind::picture};
+  std::string commit, again;
 };
 
+constexpr std::size_t kLargestTable = 64u << 20;
+
+/// The picture of an earlier run's table.
+Result<int> draw_again(const AccuracyArguments& arguments) {
+  if (!arguments.plot.wanted() || arguments.json.wanted() || arguments.csv.wanted())
+    return problem("--again", "It draws the picture of a table, and nothing else.",
+                   "Say --plot FILE, and neither --csv nor --json.");
+  const auto bytes = files::read_file(arguments.again, kLargestTable);
+  if (!bytes) return problem(arguments.again, "It could not be read.", "Name a table of --csv.");
+  auto before = measure::report_of_csv({bytes->begin(), bytes->end()}, arguments.again);
+  if (!before) return tl::unexpected(before.error());
+  const auto report = measure::report_again(std::move(*before), stderr);
+  const auto drawn = plots::draw_accuracy(measure::chart_of(report), arguments.plot.where());
+  return arguments.plot.write(drawn).map([] { return 0; });
+}
+
 Result<int> accuracy(const AccuracyArguments& arguments) {
+  if (!arguments.again.empty()) return draw_again(arguments);
   auto report = measure::measure_accuracy(arguments.plan, stderr);
   if (!report) return tl::unexpected(report.error());
   report->command = arguments.plan.quick ? "onggi lab accuracy --quick" : "onggi lab accuracy";
+  report->made = files::local_time(files::wall_now(), files::kDay) +
+                 (arguments.commit.empty() ? "" : ", commit " + arguments.commit);
   const auto put = drawing::put_report(measure::json_of(*report), arguments.json);
   if (!put) return tl::unexpected(put.error());
   if (*put && !arguments.csv.to_stdout() && !arguments.plot.to_stdout())
@@ -50,6 +74,8 @@ cli::Command accuracy_command() {
                    "Write everything as JSON (- for standard output, here and below)"},
                   {"--csv", &a->csv, "Write the rows as CSV"},
                   {"--plot", &a->plot, "Draw the picture into this PNG or SVG"},
+                  {"--commit", &a->commit, "The commit of this build, for the table and picture"},
+                  {"--again", &a->again, "Draw --plot of this CSV, and measure nothing"},
                   {"--seed", &a->plan.seed, "Seed of the random hands that try to break it [1]"}},
       .run = [a] { return accuracy(*a); }};
 }

@@ -1,7 +1,6 @@
 #include "kiosk/lab/measure/accuracy_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "kiosk/lab/measure/accuracy_report.h"
@@ -32,8 +31,7 @@ Chart::Mark mark_of(const lab::SettingSummary& one) {
 
 // The cost of the most expensive preset on our grids, at the error of the scripts.
 Chart::Line dearest_scene(const AccuracyReport& report) {
-  Chart::Line line{
-      "ours, the dearest scene's effects", view::kDeepCeladon, false, true, false, false, {}};
+  Chart::Line line{"ours, in the dearest scene", view::kDeepCeladon, false, true, false, {}};
   for (const lab::SettingSummary& all : report.scenes) {
     if (all.setting.model != Model::shipped || !at_a_kilohertz(all.setting)) continue;
     const auto bench = std::ranges::find_if(report.settings, [&](const auto& one) {
@@ -46,8 +44,8 @@ Chart::Line dearest_scene(const AccuracyReport& report) {
 }
 
 std::vector<Chart::Force> forces_of(const AccuracyReport& report) {
-  Chart::Force ours{"ours", view::kDeepCeladon, false, {}, {}};
-  Chart::Force printed{"as printed", view::kIron, true, {}, {}};
+  Chart::Force ours{view::kDeepCeladon, false, {}, {}};
+  Chart::Force printed{view::kIron, true, {}, {}};
   for (const lab::AccuracyRow& row : report.rows) {
     if (row.script != "press" || !at_a_kilohertz(row.setting) || row.setting.model == Model::plain)
       continue;
@@ -74,36 +72,26 @@ plots::AccuracyChart chart_of(const AccuracyReport& report) {
   chart.subtitle =
       "The worst of seven pieces of a potter's work, for time and for shape alike. The truth is a "
       "second program, in doubles.";
-  chart.foot = report.machine + "; " + report.command + ", seed " +
-               std::to_string(report.plan.seed) + "; time is the thread's own";
-  if (report.recommended) chart.says = words_of(*report.recommended);
-  Chart::Line ours{"ours", view::kDeepCeladon, false, false, false, false, {}};
-  Chart::Line printed{"as printed in 2008", view::kIron, true, false, false, true, {}};
-  std::array<Chart::Line, 3> rules{
-      {{"plain code: Euler's step", view::rgb(0xCC79A7), false, false, true, false, {}},
-       {"plain: exact step", view::rgb(0xE69F00), false, false, true, false, {}},
-       {"plain: ours, tool in mid-step", view::rgb(0x56B4E9), false, false, true, false, {}}}};
-  Chart::Line stepped{"ours, four steps a tick", view::kCobalt, false, false, true, false, {}};
+  if (report.recommended) chart.says = words_of(*report.recommended) + ' ';
+  // No line begins with a percent sign.
+  for (std::size_t at = 0; (at = chart.says.find(" %", at)) != std::string::npos;)
+    chart.says.replace(at, 1, "\u00a0");
+  chart.says += report.machine + ", " + report.made + "; " + report.command + ", seed " +
+                std::to_string(report.plan.seed) + "; each time is that of one thread.";
+  Chart::Line ours{"ours", view::kDeepCeladon, false, false, false, {}};
+  Chart::Line printed{"as printed in 2008", view::kIron, true, false, true, {}};
   for (const lab::SettingSummary& one : report.settings) {
     const Setting& s = one.setting;
-    const bool plain = s.model == Model::plain;
-    if (s.model == Model::shipped && s.rate_hz == 1000.0 && s.substeps == 4) {
-      stepped.marks.push_back(mark_of(one));
-      continue;
-    }
-    if (!at_a_kilohertz(s) || (plain && (s.quadrature != lab::Quadrature::edges || s.doubles))) {
+    if (!at_a_kilohertz(s) || s.model == Model::plain) {
       chart.cloud.push_back(mark_of(one));
       continue;
     }
-    Chart::Line& line = plain                       ? rules[static_cast<std::size_t>(s.rule)]
-                        : s.model == Model::shipped ? ours
-                                                    : printed;
+    Chart::Line& line = s.model == Model::shipped ? ours : printed;
     line.marks.push_back(mark_of(one));
-    if (plain) continue;
     line.marks.back().name = grid_name(s);
     line.marks.back().broke = broke(report, s);
   }
-  chart.lines = {printed, ours, dearest_scene(report), stepped, rules[0], rules[1], rules[2]};
+  chart.lines = {printed, ours, dearest_scene(report)};
   for (const std::size_t n : report.edge) chart.edge.push_back(mark_of(report.settings[n]));
   if (report.recommended)
     chart.chosen = {report.recommended->chosen.p999,

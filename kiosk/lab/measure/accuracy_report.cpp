@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
+#include <sstream>
 
 namespace onggi::measure {
 namespace {
@@ -181,6 +183,7 @@ Json json_of(const AccuracyReport& report) {
   }
   return Json::object({{"machine", report.machine},
                        {"command", report.command},
+                       {"made", report.made},
                        {"seed", report.plan.seed},
                        {"seconds", report.seconds},
                        {"reference_mm", report.truth_mm},
@@ -191,12 +194,15 @@ Json json_of(const AccuracyReport& report) {
                        {"recommended", recommended}});
 }
 
+constexpr const char* kCsvHead =
+    "script,model,rule,quadrature,precision,rows,sectors,rate_hz,substeps,"
+    "tick_us_p50,tick_us_p999,tick_us_worst,shape_mm_rms,shape_mm_max,force_n_rms,"
+    "volume_pct,force_n_mean,true_force_n_mean\n";
+
 std::string csv_of(const AccuracyReport& report) {
   std::string text = "# " + report.machine + "\n# " + report.command +
                      line(", seed %llu\n", static_cast<unsigned long long>(report.plan.seed)) +
-                     "script,model,rule,quadrature,precision,rows,sectors,rate_hz,substeps,"
-                     "tick_us_p50,tick_us_p999,tick_us_worst,shape_mm_rms,shape_mm_max,force_n_rms,"
-                     "volume_pct,force_n_mean,true_force_n_mean\n";
+                     "# " + report.made + "\n" + kCsvHead;
   for (const lab::AccuracyRow& r : report.rows) {
     const Setting& s = r.setting;
     text += "\"" + r.script + "\"" +
@@ -207,6 +213,79 @@ std::string csv_of(const AccuracyReport& report) {
                  1e2 * r.errors.volume, r.mean_force, r.true_force);
   }
   return text;
+}
+
+namespace {
+
+/// The one of `all` with this name.
+template <class Choice, std::size_t count>
+bool by_name(const std::string& name, const Choice (&all)[count], Choice& found) {
+  for (const Choice one : all)
+    if (name == lab::name_of(one)) return found = one, true;
+  return false;
+}
+
+bool row_of_csv(const std::string& text, lab::AccuracyRow& row) {
+  char script[64], model[16], rule[16], sum[16], precision[16];
+  Setting& s = row.setting;
+  lab::AccuracyErrors& off = row.errors;
+  int end = 0;
+  const int read =
+      std::sscanf(text.c_str(),
+                  "\"%63[^\"]\",%15[^,],%15[^,],%15[^,],%15[^,],%d,%d,%lf,%d,%lf,%lf,%lf,%lf,%lf,%"
+                  "lf,%lf,%lf,%lf%n",
+                  script, model, rule, sum, precision, &s.rows, &s.sectors, &s.rate_hz, &s.substeps,
+                  &row.p50, &row.p999, &row.worst, &off.shape_rms, &off.shape_max, &off.force_rms,
+                  &off.volume, &row.mean_force, &row.true_force, &end);
+  if (read != 18 || static_cast<std::size_t>(end) != text.size()) return false;
+  constexpr Model kModels[] = {Model::printed, Model::plain, Model::shipped};
+  constexpr lab::TimeRule kRules[] = {lab::TimeRule::printed, lab::TimeRule::exact,
+                                      lab::TimeRule::shipped};
+  constexpr lab::Quadrature kSums[] = {lab::Quadrature::none, lab::Quadrature::area,
+                                       lab::Quadrature::edges};
+  if (!by_name(model, kModels, s.model) || !by_name(rule, kRules, s.rule) ||
+      !by_name(sum, kSums, s.quadrature))
+    return false;
+  row.script = script;
+  s.doubles = s.model == Model::plain && std::string(precision) == "double";
+  off.shape_rms *= 1e-3;
+  off.shape_max *= 1e-3;
+  off.volume *= 1e-2;
+  return precision == std::string(precision_of(s));
+}
+
+}  // namespace
+
+Result<AccuracyReport> report_of_csv(const std::string& csv, const std::string& name) {
+  AccuracyReport report;
+  std::istringstream lines(csv);
+  std::string text;
+  int at = 0;
+  for (; std::getline(lines, text); ++at) {
+    bool good = true;
+    if (at < 3) {
+      good = text.starts_with("# ");
+      (at == 0   ? report.machine
+       : at == 1 ? report.command
+                 : report.made) = text.substr(good ? 2 : 0);
+    } else if (at == 3) {
+      good = text + '\n' == kCsvHead;
+    } else {
+      good = row_of_csv(text, report.rows.emplace_back());
+    }
+    if (!good)
+      return problem(name + ", line " + std::to_string(at + 1),
+                     "This is no line of the table that onggi lab accuracy --csv writes.",
+                     "Name a table that it wrote, whole.");
+  }
+  const std::size_t seed = report.command.rfind(", seed ");
+  if (seed == std::string::npos || report.rows.empty())
+    return problem(name, "The table has no seed or no rows.",
+                   "Name a table that onggi lab accuracy --csv wrote, whole.");
+  report.plan.seed = std::strtoull(report.command.c_str() + seed + 7, nullptr, 10);
+  report.command.resize(seed);
+  report.plan.quick = report.command.ends_with("--quick");
+  return report;
 }
 
 std::string words_of(const Setting& s) {

@@ -108,6 +108,41 @@ AccuracyPot pot_of(const lab::AccuracyScript& vase, const lab::FaceGrid& truth,
   return pot;
 }
 
+std::vector<UnstableSetting> all_unstable(const AccuracyPlan& plan) {
+  std::vector<UnstableSetting> all;
+  for (const Model model : {Model::shipped, Model::printed})
+    for (const auto& grid : plan.grids())
+      if (grid[0] <= (model == Model::printed || !plan.quick ? 1600 : 800))
+        if (auto found = unstable(model, grid, plan.seed)) all.push_back(std::move(*found));
+  return all;
+}
+
+std::vector<AccuracyPot> all_pots(const AccuracyPlan& plan, const lab::AccuracyScript& vase,
+                                  const lab::FaceGrid& truth) {
+  std::vector<AccuracyPot> all;
+  for (const Model model : {Model::shipped, Model::printed})
+    for (const auto& grid : plan.grids()) {
+      if (grid[0] > 1600 || (model == Model::printed && grid != AccuracyPlan::kUsual)) continue;
+      Setting setting;
+      setting.model = model;
+      setting.rows = grid[0];
+      setting.sectors = grid[1];
+      all.push_back(pot_of(vase, truth, setting));
+    }
+  return all;
+}
+
+void sum_up(AccuracyReport& report, const std::vector<lab::AccuracyScript>& scripts) {
+  std::vector<lab::AccuracyRow> of_scripts = report.rows;
+  std::erase_if(of_scripts, [&](const lab::AccuracyRow& row) {
+    return std::ranges::none_of(scripts, [&](const auto& one) { return one.name == row.script; });
+  });
+  report.settings = lab::summaries(of_scripts);
+  report.edge = lab::pareto_edge(report.settings);
+  report.scenes = lab::summaries(report.rows);
+  report.recommended = lab::recommend(report.scenes, 1000.0, report.thresholds);
+}
+
 }  // namespace
 
 Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* told) {
@@ -140,8 +175,6 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
                   scripts[n].name + ", " + lab::name_of(setting.model) + " on " +
                       std::to_string(setting.rows) + " x " + std::to_string(setting.sectors));
     }
-  report.settings = lab::summaries(report.rows);
-  report.edge = lab::pareto_edge(report.settings);
   for (const ScenePreset& preset : *scenes) {
     const auto bench = tuning::SceneBench::create(preset.name, preset.def, plan.preset_truth_rows(),
                                                   plan.preset_truth_tick());
@@ -153,15 +186,10 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
     }
     teller.done(preset_work, preset.name);
   }
-  for (const Model model : {Model::shipped, Model::printed})
-    for (const auto& grid : plan.grids())
-      if (grid[0] <= (model == Model::printed || !plan.quick ? 1600 : 800))
-        if (auto found = unstable(model, grid, plan.seed))
-          report.unstable.push_back(std::move(*found));
+  report.unstable = all_unstable(plan);
   teller.done(suite_work, "random hands");
 
-  report.scenes = lab::summaries(report.rows);
-  report.recommended = lab::recommend(report.scenes, 1000.0, report.thresholds);
+  sum_up(report, scripts);
   report.orders = orders_of(report.rows);
   for (const lab::AccuracyScript& script : scripts)
     for (const lab::TimeRule rule :
@@ -172,19 +200,22 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
       const auto found = tick_orders(script, law, AccuracyPlan::kRates);
       report.orders.insert(report.orders.end(), found.begin(), found.end());
     }
-  const lab::AccuracyScript& vase = scripts.back();
-  const lab::FaceGrid& true_vase = truths.back().truth.face[0];
-  for (const Model model : {Model::shipped, Model::printed})
-    for (const auto& grid : plan.grids()) {
-      if (grid[0] > 1600 || (model == Model::printed && grid != AccuracyPlan::kUsual)) continue;
-      Setting setting;
-      setting.model = model;
-      setting.rows = grid[0];
-      setting.sectors = grid[1];
-      report.pots.push_back(pot_of(vase, true_vase, setting));
-    }
+  report.pots = all_pots(plan, scripts.back(), truths.back().truth.face[0]);
   report.seconds = teller.seconds();
   return report;
+}
+
+AccuracyReport report_again(AccuracyReport before, std::FILE* told) {
+  const std::vector<lab::AccuracyScript> scripts = lab::accuracy_scripts();
+  Teller teller(told, 3.0);
+  const std::vector<Known> truths = truths_of(scripts, before.plan.truth());
+  for (const Known& known : truths) before.truth_mm = std::max(before.truth_mm, 1e3 * known.apart);
+  teller.done(1.0, "what is true of each script");
+  before.unstable = all_unstable(before.plan);
+  teller.done(1.0, "random hands");
+  before.pots = all_pots(before.plan, scripts.back(), truths.back().truth.face[0]);
+  sum_up(before, scripts);
+  return before;
 }
 
 }  // namespace onggi::measure

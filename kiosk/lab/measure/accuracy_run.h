@@ -31,6 +31,7 @@ struct AccuracyPot {
 /// All results of `onggi lab accuracy`.
 struct AccuracyReport {
   std::string machine, command;
+  std::string made;  ///< Date and commit: "2026-11-23, commit bc6a5ac".
   AccuracyPlan plan;
   double seconds = 0.0;   ///< Duration.
   double truth_mm = 0.0;  ///< By which the truth differs from one half as fine, the most of all
@@ -53,5 +54,10 @@ struct AccuracyReport {
 /// minutes and memory for 6400 x 2880. Not for the 1 kHz thread. Problem if a preset is not a
 /// scene.
 Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* told);
+
+/// Completes `before`, which has the rows of an earlier run, its plan and its names: everything but
+/// the orders, for which rows do not suffice. Nothing is timed. Half a minute. Not for the 1 kHz
+/// thread.
+AccuracyReport report_again(AccuracyReport before, std::FILE* told);
 
 }  // namespace onggi::measure

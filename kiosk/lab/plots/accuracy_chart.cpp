@@ -38,6 +38,7 @@ class AccuracySheet : private ChartPen {
   void name_mark(const ChartPanel& p, const AccuracyChart::Mark& mark, view::Color color,
                  bool above);
   bool free(const std::array<double, 4>& box) const;
+  void keep_free(double x, double y, double right, double down);
   void pots_beside_marks(const ChartPanel& p);
   void legend();
   void star(double x, double y, double size);
@@ -69,7 +70,7 @@ ChartPanel AccuracySheet::main_panel() const {
   for (const auto& t : chart_.thresholds) most = std::max(most, t.mm);
   return {kEdgeOfPaper + 96,
           1290,
-          300,
+          250,
           1030,
           decades((chart_.pots.empty() ? 0.75 : 0.3) * least_us, 1.9 * most_us),
           decades(0.5 * least, 1.6 * most)};
@@ -121,7 +122,7 @@ void AccuracySheet::thresholds(const ChartPanel& p) {
     ink(view::kInk, 0.55);
     const double dash[] = {3, 8};
     cairo_set_dash(c_, dash, 2, 0);
-    line(p.left, at, p.right, at, 2.5);
+    line(p.left, at, p.x(chart_.limit), at, 2.5);
     cairo_set_dash(c_, nullptr, 0, 0);
     const Lettering how{.px = kSmallLetter, .side = -1, .color = view::kFaintInk, .halo = 4};
     const double end = p.x(chart_.limit) - 14;
@@ -162,13 +163,17 @@ void AccuracySheet::line_of(const ChartPanel& p, const AccuracyChart::Line& of) 
     begun = true;
   }
   ink(of.color);
-  cairo_set_line_width(c_, of.quiet ? 2 : of.dashed ? 2.5 : 3.5);
+  cairo_set_line_width(c_, of.dashed ? 2.5 : 3.5);
   if (of.dashed) cairo_set_dash(c_, dash, 2, 0);
   cairo_stroke(c_);
   cairo_set_dash(c_, nullptr, 0, 0);
+  for (std::size_t n = 1; n < of.marks.size(); ++n) {
+    const double x = p.x(of.marks[n - 1].us), y = p.y(of.marks[n - 1].mm);
+    keep_free(x, y, p.x(of.marks[n].us) - x, p.y(of.marks[n].mm) - y);
+  }
   for (const auto& mark : of.marks) {
     const double x = p.x(mark.us), y = p.y(mark.mm);
-    disc(x, y, of.quiet ? 4 : of.dashed ? 6 : 9, of.color, of.hollow);
+    disc(x, y, of.dashed ? 6 : 9, of.color, of.hollow);
     taken_.push_back({x - 12, y - 12, x + 12, y + 12});
     if (!mark.broke) continue;
     cairo_new_path(c_);
@@ -176,6 +181,16 @@ void AccuracySheet::line_of(const ChartPanel& p, const AccuracyChart::Line& of) 
     ink(kWarning);
     cairo_set_line_width(c_, 3);
     cairo_stroke(c_);
+  }
+}
+
+/// Words and pots stay off the line from (x, y) that goes by (right, down).
+void AccuracySheet::keep_free(double x, double y, double right, double down) {
+  constexpr double kStep = 10, kHalf = 5;
+  const double steps = std::ceil(std::hypot(right, down) / kStep);
+  for (double n = 1; n < steps; ++n) {
+    const double at_x = x + right * n / steps, at_y = y + down * n / steps;
+    taken_.push_back({at_x - kHalf, at_y - kHalf, at_x + kHalf, at_y + kHalf});
   }
 }
 
@@ -252,24 +267,24 @@ void AccuracySheet::legend() {
       const double dash[] = {9, 7};
       ink(of.color);
       if (of.dashed) cairo_set_dash(c_, dash, 2, 0);
-      line(at, middle, at + 44, middle, of.quiet ? 2 : of.dashed ? 2.5 : 3.5);
+      line(at, middle, at + 44, middle, of.dashed ? 2.5 : 3.5);
       cairo_set_dash(c_, nullptr, 0, 0);
-      disc(at + 22, middle, of.quiet ? 4 : of.dashed ? 6 : 9, of.color, of.hollow);
+      disc(at + 22, middle, of.dashed ? 6 : 9, of.color, of.hollow);
     });
   if (chart_.chosen)
-    entry("recommended here", [&](double at, double middle) { star(at + 22, middle, 17); });
+    entry("recommended", [&](double at, double middle) { star(at + 22, middle, 17); });
   entry("nothing beats these", [&](double at, double middle) {
     ink(view::kDryClay, 0.75);
     line(at, middle, at + 44, middle, 9);
   });
-  entry("random hands broke it", [&](double at, double middle) {
+  entry("broken by random hands", [&](double at, double middle) {
     cairo_new_path(c_);
     cairo_arc(c_, at + 22, middle, 15, 0, kFullCircle);
     ink(kWarning);
     cairo_set_line_width(c_, 3);
     cairo_stroke(c_);
   });
-  entry("any other setting tried", [&](double at, double middle) {
+  entry("other settings", [&](double at, double middle) {
     cairo_new_path(c_);
     cairo_arc(c_, at + 22, middle, 4, 0, kFullCircle);
     ink(view::kFaintInk, 0.5);
@@ -310,9 +325,6 @@ void AccuracySheet::forces(const ChartPanel& p) {
     cairo_stroke(c_);
     for (std::size_t n = 0; n < force.force.size(); ++n)
       disc(p.x(force.elements[n]), p.y(force.force[n]), 8, force.color, force.hollow);
-    words(force.name, p.x(force.elements.front()) + (force.hollow ? 22 : -8),
-          p.y(force.force.front()) + (force.hollow ? -14 : -44),
-          {.px = kSmallLetter, .color = force.color, .halo = 4});
   }
   const std::string told =
       "within " + std::to_string(std::lround(100.0 * chart_.force_told)) + " %";
@@ -387,7 +399,6 @@ std::vector<std::byte> AccuracySheet::draw() {
   pots(1128);
   words(chart_.says, kEdgeOfPaper, 1554,
         {.px = kLetter, .color = view::kCobalt, .width = kWide - 2 * kEdgeOfPaper});
-  words(chart_.foot, kEdgeOfPaper, kHigh - 38, {.px = 17, .color = view::kFaintInk});
   return bytes();
 }
 

@@ -13,8 +13,7 @@ namespace onggi::plots {
 /// decades. To the right of `limit` a tick has no time left.
 struct AccuracyChart {
   std::string title, subtitle;
-  std::string foot;  ///< Machine, command and seed.
-  std::string says;  ///< The recommendation in a sentence or three.
+  std::string says;  ///< The caption: the recommendation; then machine, date, commit and command.
 
   struct Mark {
     double us = 0.0, mm = 0.0;
@@ -27,7 +26,6 @@ struct AccuracyChart {
     view::Color color{};
     bool hollow = false;  ///< Marks are circles instead of discs.
     bool dashed = false;
-    bool quiet = false;  ///< Thin, without names and with small marks.
     bool above = false;  ///< Names are above their marks; else below, to the left.
     std::vector<Mark> marks;
   };
@@ -57,9 +55,8 @@ struct AccuracyChart {
   };
   std::vector<Pot> pots;
 
-  /// The force panel: error as a share of the force, by grid.
+  /// The force panel, by grid. Colours and marks are those of the lines.
   struct Force {
-    std::string name;
     view::Color color{};
     bool hollow = false;
     std::vector<double> elements;  ///< Rows times sectors, millions.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <memory>
 #include <new>
 #include <utility>
@@ -16,6 +17,7 @@ using Rgb = std::array<std::uint8_t, 3>;
 constexpr int kColors = 255;
 constexpr std::uint8_t kUnchanged = 255;  // the palette's last entry: the previous pixel stays
 constexpr int kBits = 6;                  // bits of a channel, for counting colours
+constexpr int kAlike = 3;  // levels of a channel: less than the dither moves, so nobody sees it
 
 /// Similar colours, counted together.
 struct Cell {
@@ -145,6 +147,12 @@ class Nearest {
   std::vector<std::uint16_t> known_;
 };
 
+bool alike(const Rgb& shown, const std::uint8_t* rgb) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (std::abs(shown[k] - rgb[k]) > kAlike) return false;
+  return true;
+}
+
 /// The smallest rectangle around everything that is not kUnchanged.
 struct Part {
   int left = 0, top = 0, right = 1, bottom = 1;
@@ -207,7 +215,11 @@ std::vector<std::byte> write_gif(int width, int height, int hundredths,
     for (std::size_t i = 0; i < pixels; ++i) {
       const auto x = static_cast<int>(i % static_cast<std::size_t>(width));
       const auto y = static_cast<int>(i / static_cast<std::size_t>(width));
-      now[i] = nearest.of(&rgb[from + 3 * i], x, y);
+      const std::uint8_t* const pixel = &rgb[from + 3 * i];
+      // A pixel whose colour is still right stays: a shade that moves slowly would flicker between
+      // two colours of the palette, and take a quarter more room.
+      const bool stays = before[i] != kUnchanged && alike(palette[before[i]], pixel);
+      now[i] = stays ? before[i] : nearest.of(pixel, x, y);
       drawn[i] = now[i] == before[i] ? kUnchanged : now[i];
     }
     const Part part = part_of(drawn, width, height);

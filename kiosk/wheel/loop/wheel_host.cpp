@@ -125,9 +125,7 @@ bool WheelHost::with_scene(const std::function<void(Scene&)>& look) {
 }
 
 std::vector<std::byte> WheelHost::replay(std::uint64_t state_hash, const std::string& glaze) const {
-  if (!recording_) return {};
-  ReplayWriter copy = *recording_;
-  return copy.finish(state_hash, glaze);
+  return recording_ ? recording_->finish(state_hash, glaze) : std::vector<std::byte>();
 }
 
 }  // namespace onggi::loop

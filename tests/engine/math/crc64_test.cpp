@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,25 @@ TEST(Crc64, GivesTheCheckValuesThatAreKnownOfIt) {
   EXPECT_EQ(of("123456789"), 0x995DC9BBDF1939FAULL);
   // Of xz's own tests.
   EXPECT_EQ(of("a"), 0x330284772E652B05ULL);
+}
+
+// A bit at a time, as its definition says.
+std::uint64_t plain(std::span<const std::byte> bytes) {
+  std::uint64_t crc = ~std::uint64_t{0};
+  for (const std::byte byte : bytes) {
+    crc ^= static_cast<std::uint64_t>(byte);
+    for (int bit = 0; bit < 8; ++bit)
+      crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xC96C5795D7870F42ULL : 0);
+  }
+  return ~crc;
+}
+
+TEST(Crc64, IsWhatItsDefinitionSaysAtEveryLength) {
+  std::vector<std::byte> bytes;
+  for (std::size_t n = 0; n < 70; ++n) {
+    ASSERT_EQ(crc64(bytes), plain(bytes)) << n;
+    bytes.push_back(static_cast<std::byte>(n * n + 91));
+  }
 }
 
 TEST(Crc64, NoticesEveryChangeOfOneByteAndEverySwap) {

@@ -61,6 +61,32 @@ TEST(ReplayScene, AndSoDoesOneOfThePapersScene) {
   EXPECT_EQ(outcome->replayed_hash, 0x865f3e1be261c9fdu);
 }
 
+// The same 400 ticks, by the last program that wrote ticks one after another and by the first that
+// wrote columns, with hands of which every field changes.
+TEST(ReplayScene, AFileOfRowsAndOneOfColumnsHoldTheSameVisitAndPlayToTheSamePot) {
+  const Result<Replay> rows = Replay::read(file("version_15.onggi"), "rows");
+  const Result<Replay> columns = Replay::read(file("version_16.onggi"), "columns");
+  ASSERT_TRUE(rows) << to_text(rows.error());
+  ASSERT_TRUE(columns) << to_text(columns.error());
+  ReplayWriter once(rows->def, rows->vessel_id, rows->seed);
+  ReplayWriter again(columns->def, columns->vessel_id, columns->seed);
+  for (const TickRecord& tick : rows->ticks) once.tick(tick);
+  for (const TickRecord& tick : columns->ticks) again.tick(tick);
+  EXPECT_EQ(once.finish(rows->final_hash, rows->glaze),
+            again.finish(columns->final_hash, columns->glaze));
+  for (const auto& replay : {rows, columns}) {
+    EXPECT_EQ(replay->ticks.size(), 400u);
+    EXPECT_EQ(replay->notes.size(), 4u);
+    EXPECT_EQ(replay->notes[1].tick, 200u);
+    EXPECT_EQ(replay->glaze, "celadon");
+    const Result<ReplayOutcome> outcome = run_replay(*replay);
+    ASSERT_TRUE(outcome);
+    EXPECT_FALSE(outcome->earlier_laws);
+    EXPECT_EQ(outcome->hashes_checked, 5u);
+    EXPECT_EQ(outcome->first_difference_tick, -1);
+  }
+}
+
 // A replay of no tick, with its seal taken off.
 Bytes written(const SceneDef& def) {
   ReplayWriter writer(def, "moon_jar", 3);
@@ -125,12 +151,23 @@ TEST(ReplayScene, AnEffectOrANumberThatThisEngineDoesNotHaveIsNamed) {
   }
 }
 
-// As a visit of version 12 has it: the old name of walls' strength.
+// As a visit of version 12 has it: the old name of walls' strength, and no columns.
 TEST(ReplayScene, AKeyOfBeforeIsReadAsWhatItIsCalledNow) {
   SceneDef def;
   def.walls.emplace();
   def.walls->bending_strength = 9000.0;
-  Bytes bytes = written(def);
+  Bytes bytes;
+  replay_bytes::Writer io(bytes);
+  std::uint64_t magic = replay_bytes::kMagic, number = 0;
+  std::uint32_t version = 12;
+  std::uint8_t end = replay_bytes::kEnd;
+  io(magic);
+  io(version);
+  replay_bytes::write_scene(io, def);
+  io(number);  // the seed
+  io.text("moon_jar", 99);
+  io(end);
+  io(number);  // the last hash
   const auto at = find(bytes, "bending_strength");
   ASSERT_NE(at, bytes.end());
   const std::string old = "yield_stress";
@@ -138,7 +175,6 @@ TEST(ReplayScene, AKeyOfBeforeIsReadAsWhatItIsCalledNow) {
   std::transform(old.begin(), old.end(), at, [](char c) { return static_cast<std::byte>(c); });
   const auto rest = at + static_cast<std::ptrdiff_t>(old.size());
   bytes.erase(rest, rest + 4);
-  bytes[8] = std::byte{12};  // the version
   const Result<Replay> replay = read(bytes);
   ASSERT_TRUE(replay) << to_text(replay.error());
   EXPECT_TRUE(replay->earlier_laws);

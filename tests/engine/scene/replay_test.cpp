@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/math/random.h"
 #include "engine/scene/replay_bytes.h"
@@ -75,6 +79,20 @@ bool same_bits(Vec3 a, Vec3 b) {
   return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
 
+bool same_bits(const TickRecord& a, const TickRecord& b) {
+  for (std::size_t k = 0; k < kMaxHands; ++k) {
+    const HandInput& one = a.hands.hand[k];
+    const HandInput& other = b.hands.hand[k];
+    if (!same_bits(one.position, other.position) || !same_bits(one.handle, other.handle) ||
+        !same_bits(one.roll, other.roll) || one.active != other.active || one.side != other.side ||
+        one.tool != other.tool)
+      return false;
+  }
+  return same_bits(a.dt, b.dt) && same_bits(a.hands.wheel_speed, b.hands.wheel_speed) &&
+         a.hands.water == b.hands.water && a.hands.renew == b.hands.renew &&
+         a.hands.restore == b.hands.restore;
+}
+
 RC_GTEST_PROP(ReplayProperty, WhatIsWrittenIsReadBackBitForBitAndReplaysToTheSameHashes,
               (std::uint64_t seed)) {
   SceneDef def = small();
@@ -91,18 +109,7 @@ RC_GTEST_PROP(ReplayProperty, WhatIsWrittenIsReadBackBitForBitAndReplaysToTheSam
   RC_ASSERT(replay->def.moisture.has_value() == (seed % 3 != 0));
   RC_ASSERT(replay->def.paper.has_value() == (seed % 6 == 0));
   RC_ASSERT(replay->ticks.size() == ticks.size());
-  for (std::size_t n = 0; n < ticks.size(); ++n) {
-    const TickRecord& a = ticks[n];
-    const TickRecord& b = replay->ticks[n];
-    RC_ASSERT(same_bits(a.dt, b.dt) && same_bits(a.hands.wheel_speed, b.hands.wheel_speed));
-    for (std::size_t k = 0; k < 2; ++k) {
-      RC_ASSERT(same_bits(a.hands.hand[k].position, b.hands.hand[k].position));
-      RC_ASSERT(a.hands.hand[k].active == b.hands.hand[k].active);
-      RC_ASSERT(a.hands.hand[k].side == b.hands.hand[k].side);
-    }
-    RC_ASSERT(a.hands.water == b.hands.water && a.hands.renew == b.hands.renew &&
-              a.hands.restore == b.hands.restore);
-  }
+  for (std::size_t n = 0; n < ticks.size(); ++n) RC_ASSERT(same_bits(ticks[n], replay->ticks[n]));
   const Result<ReplayOutcome> outcome = run_replay(*replay);
   RC_ASSERT(outcome.has_value());
   RC_ASSERT(outcome->first_difference_tick == -1);
@@ -207,6 +214,75 @@ TEST(Replay, EveryShorterFileIsRefused) {
   auto longer = bytes;
   longer.push_back(std::byte{0});
   EXPECT_FALSE(Replay::read(longer, "long"));
+}
+
+TEST(Replay, NoTickOneTickAndAMillionComeBack) {
+  for (const int count : {0, 1, 1'000'000}) {
+    ReplayWriter writer(small(), "x", 1);
+    Random random(4);
+    TickRecord r;
+    const auto next = [&r](Random& by) {
+      r.hands.hand[0].position.x += 1e-6;
+      if (by.bits() % 1000 == 0) r = random_tick(by, r);
+    };
+    for (int n = 0; n < count; ++n) next(random), writer.tick(r);
+    const Result<Replay> replay = Replay::read(writer.finish(9), "many");
+    ASSERT_TRUE(replay) << to_text(replay.error());
+    ASSERT_EQ(replay->ticks.size(), static_cast<std::size_t>(count));
+    EXPECT_EQ(replay->final_hash, 9u);
+    random = Random(4);
+    r = {};
+    for (const TickRecord& tick : replay->ticks) {
+      next(random);
+      ASSERT_TRUE(same_bits(tick, r));
+    }
+  }
+}
+
+TEST(Replay, MoreThanFourMillionTicksAreRefusedAsTooLong) {
+  ReplayWriter writer(small(), "x", 1);
+  for (int n = 0; n < 4'000'001; ++n) writer.tick({});
+  const Result<Replay> replay = Replay::read(writer.finish(0), "long");
+  ASSERT_FALSE(replay);
+  EXPECT_NE(replay.error().what.find("longer than an hour"), std::string::npos);
+}
+
+// The kiosk keeps a pot twice if its visitor throws on.
+TEST(Replay, ARecordingGoesOnBehindItsEnd) {
+  ReplayWriter writer(small(), "x", 1);
+  TickRecord r;
+  for (int n = 0; n < 20; ++n) {
+    r.hands.hand[0].position.y = 0.01 * n;
+    writer.tick(r);
+    const Result<Replay> replay = Replay::read(writer.finish(7), "so far");
+    ASSERT_TRUE(replay) << to_text(replay.error());
+    EXPECT_EQ(replay->ticks.size(), static_cast<std::size_t>(n) + 1);
+  }
+}
+
+TEST(Replay, HashesInDisorderOrBehindTheLastTickAreRefused) {
+  const auto what = [](std::uint64_t first, std::uint64_t second) {
+    ReplayWriter writer(small(), "x", 1);
+    writer.note_hash(111);
+    writer.note_hash(222);
+    writer.tick({});
+    writer.tick({});
+    auto bytes = writer.finish(3);
+    bytes.resize(bytes.size() - replay_bytes::kSealBytes);
+    for (const auto& [hash, tick] : {std::pair{111u, first}, std::pair{222u, second}})
+      for (std::size_t n = 8; n + 8 <= bytes.size(); ++n)
+        if (bytes[n] == std::byte(hash) &&
+            std::all_of(&bytes[n - 8], &bytes[n], [](std::byte b) { return b == std::byte{0}; }) &&
+            std::all_of(&bytes[n + 1], &bytes[n + 8],
+                        [](std::byte b) { return b == std::byte{0}; }))
+          bytes[n - 8] = std::byte(tick);
+    replay_bytes::seal(bytes);
+    const Result<Replay> replay = Replay::read(bytes, "visit.onggi");
+    return replay ? std::string("it was read") : replay.error().what;
+  };
+  EXPECT_EQ(what(0, 2), "it was read");
+  EXPECT_NE(what(2, 1).find("not in order"), std::string::npos) << what(2, 1);
+  EXPECT_NE(what(1, 3).find("behind the last tick"), std::string::npos) << what(1, 3);
 }
 
 TEST(Replay, AnUnchangedTickIsOneByte) {

@@ -32,6 +32,7 @@ AccuracyReport some_report() {
   AccuracyReport report;
   report.machine = "A processor, 2 cores";
   report.command = "onggi lab accuracy --quick";
+  report.made = "2026-11-23, commit bc6a5ac";
   report.plan.seed = 9;
   for (const auto& [rows, us, mm] :
        {std::tuple{100, 3.0, 0.2}, std::tuple{200, 6.0, 0.04}, std::tuple{400, 20.0, 0.01}}) {
@@ -90,10 +91,43 @@ TEST(AccuracyReport, OnAMachineTooSlowItSaysSoAndPromisesNothing) {
   EXPECT_EQ(words.find("Nobody can tell"), std::string::npos) << words;
 }
 
-TEST(AccuracyReport, TheCsvSaysMachineCommandAndSeedAndHasALineARow) {
+TEST(AccuracyReport, TheCsvSaysMachineCommandSeedAndCommitAndHasALineARow) {
   const std::string csv = csv_of(some_report());
-  EXPECT_TRUE(csv.starts_with("# A processor, 2 cores\n# onggi lab accuracy --quick, seed 9\n"));
-  EXPECT_EQ(std::ranges::count(csv, '\n'), 3 + 6);
+  EXPECT_TRUE(
+      csv.starts_with("# A processor, 2 cores\n# onggi lab accuracy --quick, seed 9\n"
+                      "# 2026-11-23, commit bc6a5ac\n"));
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 4 + 6);
+}
+
+TEST(AccuracyReport, ACsvReadBackIsTheSameCsvWithTheSameRecommendation) {
+  AccuracyReport report = some_report();
+  report.rows[0].setting.model = AccuracySetting::Model::plain;
+  report.rows[0].setting.doubles = true;
+  report.rows[0].setting.rule = lab::TimeRule::exact;
+  report.rows[0].setting.quadrature = lab::Quadrature::area;
+  const std::string csv = csv_of(report);
+  const auto back = report_of_csv(csv, "accuracy.csv");
+  ASSERT_TRUE(back) << to_text(back.error());
+  EXPECT_EQ(csv_of(*back), csv);
+  EXPECT_TRUE(back->plan.quick);
+  EXPECT_EQ(back->plan.seed, 9u);
+  for (std::size_t n = 0; n < report.rows.size(); ++n)
+    EXPECT_TRUE(back->rows[n].setting == report.rows[n].setting) << n;
+}
+
+TEST(AccuracyReport, ADamagedCsvIsToldByItsLine) {
+  const std::string csv = csv_of(some_report());
+  const auto where = [](const std::string& text) {
+    const auto read = report_of_csv(text, "accuracy.csv");
+    return read ? std::string("it was read") : read.error().where;
+  };
+  EXPECT_EQ(where(csv), "it was read");
+  EXPECT_EQ(where(csv.substr(2)), "accuracy.csv, line 1");
+  EXPECT_EQ(where(csv.substr(0, csv.size() - 30)), "accuracy.csv, line 10");
+  std::string other = csv;
+  other.replace(other.find("shipped"), 7, "clipped");
+  EXPECT_EQ(where(other), "accuracy.csv, line 5");
+  EXPECT_EQ(where(""), "accuracy.csv");
 }
 
 TEST(AccuracyReport, APersonReadsThatThePrintedForceGrowsWithTheGrid) {
@@ -117,7 +151,8 @@ TEST(AccuracyReport, ThePictureHasThePrintedSettingsHollowAndThoseThatBrokeRinge
   ASSERT_TRUE(chart.chosen);
   EXPECT_NEAR(chart.chosen->mm, 0.04, 1e-12);
   EXPECT_EQ(chart.edge.size(), 3u);
-  EXPECT_NE(chart.foot.find("seed 9"), std::string::npos);
+  for (const char* word : {"seed 9", "A processor, 2 cores", "2026-11-23, commit bc6a5ac"})
+    EXPECT_NE(chart.says.find(word), std::string::npos) << word;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ AccuracyChart some_chart() {
                  {.name = "printed", .hollow = true, .marks = {{9.0, 0.5, "", true}}}};
   chart.edge = chart.lines[0].marks;
   chart.thresholds = {{0.055, "a device"}};
-  chart.forces = {{.name = "ours", .elements = {0.01, 1.0}, .force = {1.1, 1.0}}};
+  chart.forces = {{.elements = {0.01, 1.0}, .force = {1.1, 1.0}}};
   return chart;
 }
 

@@ -94,6 +94,40 @@ TEST(Gif, WhatStandsStillTakesNoRoom) {
   EXPECT_EQ(shown_gif(all), ten);
 }
 
+/// Pictures of a slow shade. In picture n it is `moved(n)` levels lighter.
+template <class Moved>
+Pictures shades(int side, std::size_t count, Moved&& moved) {
+  Pictures pictures(count);
+  for (std::size_t n = 0; n < count; ++n)
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const double v = 100.0 + x + 0.5 * y + moved(static_cast<double>(n));
+        for (const double own : {v, 0.9 * v, 0.8 * v})
+          pictures[n].push_back(static_cast<std::uint8_t>(own));
+      }
+  return pictures;
+}
+
+// As light does on a pot that turns.
+TEST(Gif, AShadeThatTremblesByALevelTakesLittleRoom) {
+  const auto size = [](std::size_t count) {
+    return write_gif(64, 64, 10,
+                     joined(shades(64, count, [](double n) { return std::fmod(n, 2); })))
+        .size();
+  };
+  EXPECT_LT(size(40), 3 * size(2));
+}
+
+TEST(Gif, AShadeThatMovesSlowlyIsNeverFarOff) {
+  const Pictures pictures = shades(64, 40, [](double n) { return 0.2 * n; });
+  const Pictures seen = shown_gif(write_gif(64, 64, 10, joined(pictures)));
+  int most = 0;
+  for (std::size_t n = 0; n < seen.size(); ++n)
+    for (std::size_t i = 0; i < seen[n].size(); ++i)
+      most = std::max(most, std::abs(seen[n][i] - pictures[n][i]));
+  EXPECT_LE(most, 6);
+}
+
 TEST(Gif, ASlowShadeIsDitheredAndKeepsItsMean) {
   constexpr int kSide = 128;
   Pictures pictures(1);

@@ -219,10 +219,12 @@ TEST(TwoHands, WithAKeyboardItIsSaidWhoseHandTheArrowsAre) {
     v.touch("attract.begin");
     v.touch("choose.mission.0");
     v.frames(1);
-    EXPECT_EQ(words_in(v.frame).find("The arrow keys move the inside hand.") != std::string::npos, keys);
+    EXPECT_EQ(words_in(v.frame).find("The arrow keys move the inside hand.") != std::string::npos,
+              keys);
     v.touch("choose.throw");
     v.frames(1);
-    EXPECT_EQ(words_in(v.frame).find("The arrow keys move the inside hand.") != std::string::npos, keys);
+    EXPECT_EQ(words_in(v.frame).find("The arrow keys move the inside hand.") != std::string::npos,
+              keys);
     EXPECT_EQ(words_in(v.frame).find("Left half") != std::string::npos, !keys);
   }
 }
