@@ -15,6 +15,7 @@
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/collection/settings/scene_file.h"
 #include "kiosk/exhibit/composition/device_files.h"
+#include "kiosk/exhibit/composition/check_letters.h"
 #include "kiosk/exhibit/composition/missions.h"
 #include "kiosk/exhibit/composition/scenes.h"
 #include "kiosk/ground/files/paths.h"
@@ -239,19 +240,8 @@ std::string count(int n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-}  // namespace
-
-std::string CheckReport::summary() const {
-  std::string counts = count(static_cast<int>(files.size()), "file", "files") + ", " +
-                       count(keys, "key", "keys") + ", " + count(vessels, "vessel", "vessels") +
-                       ", " + count(languages, "language", "languages");
-  if (problems.empty()) return "All good: checked " + counts + ".";
-  return count(static_cast<int>(problems.size()), "problem", "problems") + ": checked " + counts +
-         ".";
-}
-
-Result<CheckReport> check_path(const std::string& path, const std::string& config,
-                               const std::stop_token& stop) {
+Result<CheckReport> check_but_letters(const std::string& path, const std::string& config,
+                                      const std::stop_token& stop) {
   CheckReport report;
   std::error_code ignored;
   if (path.empty()) {
@@ -284,3 +274,24 @@ Result<CheckReport> check_path(const std::string& path, const std::string& confi
 }
 
 }  // namespace onggi::exhibit
+}  // namespace
+
+std::string CheckReport::summary() const {
+  std::string counts = count(static_cast<int>(files.size()), "file", "files") + ", " +
+                       count(keys, "key", "keys") + ", " + count(vessels, "vessel", "vessels") +
+                       ", " + count(languages, "language", "languages");
+  if (problems.empty()) return "All good: checked " + counts + ".";
+  return count(static_cast<int>(problems.size()), "problem", "problems") + ": checked " + counts +
+         ".";
+}
+
+Result<CheckReport> check_path(const std::string& path, const std::string& config,
+                               const std::stop_token& stop) {
+  auto report = check_but_letters(path, config, stop);
+  if (!report) return report;
+  LettersReport letters = check_letters(report->files, render::FontCoverage::here());
+  report->notes.insert(report->notes.end(), letters.notes.begin(), letters.notes.end());
+  note(*report, 0, std::move(letters.problems));
+  return report;
+}
+
