@@ -99,7 +99,8 @@ class Museum:
         for n in range(count):
             token, counted = ("".join(self.chance.choices(LETTERS, k=26)) for _ in range(2))
             visit = self.visits[n % len(self.visits)]
-            begun = now - (0 if hours > 0 else 7200)
+            # Expired ones came one after the other: a leap of the clock alone ends none.
+            begun = now - (0 if hours > 0 else 7200 + n % 7200)
             (self.folder / "phone" / token).write_text(f"{visit}\n{begun}\n{int(begun + abs(hours) * 3600)}\nen\n{counted}\n")
             tokens.append(token)
         return tokens
