@@ -121,9 +121,19 @@ TEST_F(PhoneTest, APhoneThatSaysNothingOrNonsenseKeepsNobodyWaiting) {
   std::vector<test::PhoneConnection> silent;
   for (int n = 0; n < 20; ++n) silent.emplace_back(server_->port());
   EXPECT_EQ(hear("\r\n\r\nNONSENSE\r\n\r\n"), "");
-  EXPECT_EQ(hear("GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n"), "");
   EXPECT_EQ(hear("POST / HTTP/1.1\r\nContent-Length: 9999999\r\n\r\n"), "");
   EXPECT_THAT(get("/k/" + token()), StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(PhoneTest, AHeadThatIsTooLongIsToldSoInALine) {
+  for (const std::string& head : {"GET / HTTP/1.1\r\nX: " + std::string(9'000, 'x') + "\r\n\r\n",
+                                  "GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n",
+                                  "GET /" + std::string(20'000, 'x') + " HTTP/1.1\r\n\r\n"}) {
+    const std::string heard = hear(head);
+    EXPECT_THAT(heard, StartsWith("HTTP/1.1 431 Request Header Fields Too Large\r\n"));
+    EXPECT_THAT(heard, HasSubstr("longer than 8192 bytes"));
+    EXPECT_THAT(heard, HasSubstr("Cache-Control: no-store")) << "as every answer";
+  }
 }
 
 // The server has one thread: what it hears out, all others wait for.
