@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "kiosk/ground/files/files_read.h"
+#include "kiosk/ground/files/printed.h"
 #include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/phone/server.h"
 #include "kiosk/keepsake/souvenir/pass.h"
@@ -137,6 +138,8 @@ int main(int count, char** values) {
   else
     done = onggi::problem("onggi-console", "The action is missing.", "Use --phone-only.");
   if (done) return *done;
+  if (const auto printed = onggi::files::all_printed(); done && !printed)
+    done = tl::unexpected(printed.error());
   std::cerr << onggi::to_text(done.error()) << '\n';
   return done.error().exit_code;
 }
