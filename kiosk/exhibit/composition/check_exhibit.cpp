@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -14,8 +15,8 @@
 #include "kiosk/collection/content/translation_tables.h"
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/collection/settings/scene_file.h"
-#include "kiosk/exhibit/composition/device_files.h"
 #include "kiosk/exhibit/composition/check_letters.h"
+#include "kiosk/exhibit/composition/device_files.h"
 #include "kiosk/exhibit/composition/missions.h"
 #include "kiosk/exhibit/composition/scenes.h"
 #include "kiosk/ground/files/paths.h"
@@ -103,11 +104,18 @@ std::vector<std::string> check_missions(CheckReport& report, const fs::path& fil
       exhibit != nullptr ? exhibit->translations : settings::Translations{});
   if (exhibit != nullptr) {
     const SceneDef scene = settings::read_scene(exhibit->scene).def;
-    for (const settings::Mission& mission : missions.missions)
-      if (mission.kind == settings::Mission::Kind::describe)
-        if (const auto jar = jar_for(mission, scene); !jar)
-          missions.problems.push_back(
-              {file.string() + ", mission " + mission.id, jar.error().what, jar.error().remedy});
+    toml::TomlReader reader(file);
+    auto tables = reader.root().children("mission");
+    for (const settings::Mission& mission : missions.missions) {
+      if (mission.kind != settings::Mission::Kind::describe) continue;
+      const auto jar = jar_for(mission, scene);
+      if (jar) continue;
+      std::string id;
+      for (auto& table : tables)
+        if (table.text("id", id) && id == mission.id)
+          table.complain("litres", jar.error().what, jar.error().remedy);
+    }
+    std::ranges::copy(reader.problems(), std::back_inserter(missions.problems));
   }
   add(report, file, missions.keys_checked, std::move(missions.problems));
   return ids_of(missions.missions);
@@ -273,7 +281,6 @@ Result<CheckReport> check_but_letters(const std::string& path, const std::string
   return report;
 }
 
-}  // namespace onggi::exhibit
 }  // namespace
 
 std::string CheckReport::summary() const {
@@ -295,3 +302,4 @@ Result<CheckReport> check_path(const std::string& path, const std::string& confi
   return report;
 }
 
+}  // namespace onggi::exhibit
