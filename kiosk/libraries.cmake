@@ -21,6 +21,7 @@ onggi_library(glm           DEBIAN libglm-dev)                            # rend
 onggi_library(EPOXY         MODULES epoxy AT_LEAST 1.5 DEBIAN libepoxy-dev)  # render
 onggi_library(XINPUT        MODULES x11 xi xrandr xext DEBIAN "libxi-dev libxrandr-dev libxext-dev")  # render: touch, monitors
 onggi_library(PANGOCAIRO    MODULES pangocairo AT_LEAST 1.50 DEBIAN libpango1.0-dev)  # render, drawing
+onggi_library(FONTCONFIG    MODULES fontconfig DEBIAN libfontconfig-dev)  # render: which letters have a font
 onggi_library(OPENIMAGEIO   MODULES OpenImageIO AT_LEAST 2.4 DEBIAN libopenimageio-dev)  # encoding's helper
 onggi_library(GIF           AT_LEAST 5.1  DEBIAN libgif-dev)              # encoding
 onggi_library(Boost         AT_LEAST 1.74 DEBIAN libboost-dev)            # phone: Beast

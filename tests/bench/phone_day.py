@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """A museum's day at the page for the phone, measured: a real onggi-console, real sockets of this machine.
 
-usage: python3 -B tests/bench/phone_day.py [pages] [idle] [phones] [slow] [memory]   (all of them without a name)
+usage: python3 -B tests/bench/phone_day.py [pages] [idle] [stalled] [phones] [slow] [memory]   (all of them without a name)
        [--console build/release/bin/onggi-console] [--passes 10000] [--idle 1000] [--phones 64] [--rate 1.0] [--downloads 500]
-       [--seconds 70] [--slow 0.1] [--seed 1]
+       [--seconds 70] [--slow 0.1] [--stalled 8000] [--seed 1]
   pages   what a page takes with few passes, with --passes, and while that many expired ones are removed; the console tidies
           at its start and after a minute
   idle    what a visitor's page takes beside --idle connections that say nothing and are opened anew as they end
+  stalled what a visitor's page takes from another address beside --stalled downloads of pot.stl that take nothing, given up and opened anew
   phones  --phones phones at --rate MB/s each open a page's five files at once, beside the idle ones
   slow    pot.stl (4.8 MB) at --slow MB/s, in one go, and over a way that breaks after each 0.4 MB; and a page's five files
   memory  the most resident memory of the console in --downloads parallel downloads of pot.stl
@@ -15,6 +16,7 @@ Prints a table; the goals are in it. Nothing here is a test: tests look at work,
 import argparse
 import array
 import asyncio
+import collections
 import contextlib
 import hashlib
 import json
@@ -23,9 +25,11 @@ import random
 import re
 import resource
 import shutil
+import socket
 import struct
 import subprocess
 import tempfile
+import threading
 import time
 
 LETTERS = "abcdefghijkmnpqrstuvwxyz23456789"
@@ -100,7 +104,8 @@ class Museum:
         for n in range(count):
             token, counted = ("".join(self.chance.choices(LETTERS, k=26)) for _ in range(2))
             visit = self.visits[n % len(self.visits)]
-            begun = now - (0 if hours > 0 else 7200)
+            # Expired ones came one after the other: a leap of the clock alone ends none.
+            begun = now - (0 if hours > 0 else 7200 + n % 7200)
             (self.folder / "phone" / token).write_text(f"{visit}\n{begun}\n{int(begun + abs(hours) * 3600)}\nen\n{counted}\n")
             tokens.append(token)
         return tokens
@@ -228,6 +233,51 @@ async def idle_ones():
         await ended(tasks)
 
 
+class Stalled:
+    """Downloads that take nothing, given up after 12 s and opened anew, on a thread of their own."""
+
+    def __init__(self, port, target, count):
+        self.port, self.count, self.open, self.begun = port, count, True, 0
+        self.words = f"GET {target} HTTP/1.1\r\nHost: kiosk\r\n\r\n".encode()
+        self.held = collections.deque()
+        self.thread = threading.Thread(target=self.hold)
+        self.thread.start()
+
+    def one(self):
+        with contextlib.suppress(OSError):
+            held = socket.create_connection(("127.0.0.1", self.port), 20)
+            held.sendall(self.words)
+            self.held.append((time.monotonic(), held))
+            self.begun += 1
+
+    def hold(self):
+        while self.open:
+            for _ in range(min(100, self.count - len(self.held))):
+                self.one()
+            while self.held and time.monotonic() - self.held[0][0] > 12:
+                self.held.popleft()[1].close()
+            time.sleep(0.005)
+        for _, held in self.held:
+            held.close()
+
+    def end(self):
+        self.open = False
+        self.thread.join()
+
+
+async def stalled():
+    with Museum() as museum:
+        tokens = museum.give(50)
+        museum.serve()
+        alone, _ = await pages_of(museum, tokens, 5, "127.0.0.2")
+        others = Stalled(museum.port, f"/k/{tokens[0]}/pot.stl", ARGUMENTS.stalled)
+        times, lost = await pages_of(museum, tokens, 40, "127.0.0.2")
+        row(f"a page from another address beside {ARGUMENTS.stalled} downloads that take nothing ({others.begun} in 40 s); "
+            f"{lost} of {len(times)} not served", said(times), "worst < 500 ms")
+        row("alone", said(alone))
+        others.end()
+
+
 async def phones():
     with Museum() as museum:
         tokens = museum.give(ARGUMENTS.phones * 4)[::4]  # of the visit that has files
@@ -313,7 +363,7 @@ async def memory():
 
 
 if __name__ == "__main__":
-    PARTS = {"pages": pages, "idle": idle_ones, "phones": phones, "slow": slow, "memory": memory}
+    PARTS = {"pages": pages, "idle": idle_ones, "stalled": stalled, "phones": phones, "slow": slow, "memory": memory}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", metavar="part", help=", ".join(PARTS))
     parser.add_argument("--console", default="build/release/bin/onggi-console")
@@ -323,6 +373,7 @@ if __name__ == "__main__":
     parser.add_argument("--rate", type=float, default=1.0)
     parser.add_argument("--downloads", type=int, default=500)
     parser.add_argument("--seconds", type=float, default=70.0)
+    parser.add_argument("--stalled", type=int, default=8000)
     parser.add_argument("--slow", type=float, default=0.1)
     parser.add_argument("--seed", type=int, default=1)
     ARGUMENTS = parser.parse_args()

@@ -118,7 +118,9 @@ def visited(site, mission, bin_folder, folder):
 def faults(visit, by_the_clock):
     found = []
     if not visit["ended"]:
-        found.append(f"the visit did not come to its end: {visit['why']}")
+        # The visitor sees that the exhibit fails; why, its log says.
+        log = visit.get("log", "").strip().splitlines()[-8:]
+        found.append("\n        ".join([f"the visit did not come to its end: {visit['why'].strip()}", *log]))
     if "frame" in visit:
         clock = "wall_s" if by_the_clock else "processor_s"
         frame = max((*visit["slow"], visit["frame"]), key=lambda one: one[clock])

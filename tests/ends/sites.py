@@ -30,6 +30,12 @@ WRITINGS = {
     "han": ("ja", "龘靐齉爩"),
     "short": ("en", "i "),
     "mixed": ("en", "aب가ไ👍 "),
+    # Six letters each of ten writings whose fonts nothing else asks for.
+    "rare": ("en", "".join("".join(chr(first + n) for n in range(6)) + " " for first in (
+        0x10500, 0x10530, 0x102A0, 0x10840, 0x11180, 0x16A40, 0x1E900, 0x10A60, 0x12000, 0x1E800))),
+    # Letters that no font has, each another one: of writings that are seldom drawn, and of the planes for private use.
+    "unwritten": ("en", "".join("a" + "".join(chr(first + n) for n in range(6)) + " " for first in (
+        0x11EE0, 0x10FB0, 0x16AC0, 0x11F00, 0x1E4D0, 0xF0000, 0xF1234, 0xFABCD, 0x100000, 0x10F0F0))),
 }
 
 

@@ -35,7 +35,15 @@ bool is_in(const Span* begin, const Span* end, std::uint32_t code) {
   return std::any_of(begin, end, [code](Span s) { return code >= s.first && code <= s.last; });
 }
 
-bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+/// What turns the writing's direction by hand, so that a text reads otherwise than it is written.
+/// The marks U+200E, U+200F and U+061C turn nothing, and good Arabic and Hebrew texts have them.
+bool turns_direction(std::uint32_t code) {
+  return (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+bool is_control(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x2028 || code == 0x2029 ||
+         turns_direction(code);
+}
 bool breaks_a_line(std::uint32_t code) { return code == '\n' || code == '\r' || code == '\t'; }
 
 // Spaces, fillers and characters of no width (Unicode's White_Space, Default_Ignorable, blanks).
@@ -73,8 +81,11 @@ std::optional<std::uint32_t> control_in(std::string_view text, TextBound bound) 
 
 std::string named(std::uint32_t control) {
   if (breaks_a_line(control)) return "a line break or tab";
-  char text[40];
-  std::snprintf(text, sizeof text, "the control character U+%04X", static_cast<unsigned>(control));
+  char text[80];
+  std::snprintf(text, sizeof text, "the control character U+%04X%s", static_cast<unsigned>(control),
+                turns_direction(control)                 ? " (it turns the direction of writing)"
+                : control == 0x2028 || control == 0x2029 ? " (it breaks a line)"
+                                                         : "");
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "kiosk/collection/content/translation_tables.h"
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/collection/settings/scene_file.h"
+#include "kiosk/exhibit/composition/check_letters.h"
 #include "kiosk/exhibit/composition/device_files.h"
 #include "kiosk/exhibit/composition/missions.h"
 #include "kiosk/exhibit/composition/scenes.h"
@@ -102,11 +104,18 @@ std::vector<std::string> check_missions(CheckReport& report, const fs::path& fil
       exhibit != nullptr ? exhibit->translations : settings::Translations{});
   if (exhibit != nullptr) {
     const SceneDef scene = settings::read_scene(exhibit->scene).def;
-    for (const settings::Mission& mission : missions.missions)
-      if (mission.kind == settings::Mission::Kind::describe)
-        if (const auto jar = jar_for(mission, scene); !jar)
-          missions.problems.push_back(
-              {file.string() + ", mission " + mission.id, jar.error().what, jar.error().remedy});
+    toml::TomlReader reader(file);
+    auto tables = reader.root().children("mission");
+    for (const settings::Mission& mission : missions.missions) {
+      if (mission.kind != settings::Mission::Kind::describe) continue;
+      const auto jar = jar_for(mission, scene);
+      if (jar) continue;
+      std::string id;
+      for (auto& table : tables)
+        if (table.text("id", id) && id == mission.id)
+          table.complain("litres", jar.error().what, jar.error().remedy);
+    }
+    std::ranges::copy(reader.problems(), std::back_inserter(missions.problems));
   }
   add(report, file, missions.keys_checked, std::move(missions.problems));
   return ids_of(missions.missions);
@@ -239,19 +248,8 @@ std::string count(int n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-}  // namespace
-
-std::string CheckReport::summary() const {
-  std::string counts = count(static_cast<int>(files.size()), "file", "files") + ", " +
-                       count(keys, "key", "keys") + ", " + count(vessels, "vessel", "vessels") +
-                       ", " + count(languages, "language", "languages");
-  if (problems.empty()) return "All good: checked " + counts + ".";
-  return count(static_cast<int>(problems.size()), "problem", "problems") + ": checked " + counts +
-         ".";
-}
-
-Result<CheckReport> check_path(const std::string& path, const std::string& config,
-                               const std::stop_token& stop) {
+Result<CheckReport> check_but_letters(const std::string& path, const std::string& config,
+                                      const std::stop_token& stop) {
   CheckReport report;
   std::error_code ignored;
   if (path.empty()) {
@@ -280,6 +278,27 @@ Result<CheckReport> check_path(const std::string& path, const std::string& confi
     check_toml(report, path, languages_for(path, config));
   else
     check_vessels(report, path, languages_for(path, config));
+  return report;
+}
+
+}  // namespace
+
+std::string CheckReport::summary() const {
+  std::string counts = count(static_cast<int>(files.size()), "file", "files") + ", " +
+                       count(keys, "key", "keys") + ", " + count(vessels, "vessel", "vessels") +
+                       ", " + count(languages, "language", "languages");
+  if (problems.empty()) return "All good: checked " + counts + ".";
+  return count(static_cast<int>(problems.size()), "problem", "problems") + ": checked " + counts +
+         ".";
+}
+
+Result<CheckReport> check_path(const std::string& path, const std::string& config,
+                               const std::stop_token& stop) {
+  auto report = check_but_letters(path, config, stop);
+  if (!report) return report;
+  LettersReport letters = check_letters(report->files, render::FontCoverage::here());
+  report->notes.insert(report->notes.end(), letters.notes.begin(), letters.notes.end());
+  note(*report, 0, std::move(letters.problems));
   return report;
 }
 

@@ -1,6 +1,7 @@
 #include "kiosk/ground/cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <exception>
@@ -11,6 +12,7 @@
 
 #include "engine/base/plain_text.h"
 #include "kiosk/ground/cli/man_page.h"
+#include "kiosk/ground/files/printed.h"
 
 namespace onggi::cli {
 
@@ -130,10 +132,8 @@ int run(const Command& command, bool force) {
   return code ? *code : told(code.error());
 }
 
-}  // namespace
-
-int run_command_line(const Command& program, const std::string& version, int argc,
-                     const char* const* argv) {
+int run_words(const Command& program, const std::string& version, int argc,
+              const char* const* argv) {
   CLI::App app{program.help, program.name};
   app.set_version_flag("--version", program.name + " " + version);
   // Handle --manual like --version, before a command is required.
@@ -162,6 +162,15 @@ int run_command_line(const Command& program, const std::string& version, int arg
               << "\n  This is a fault of the program: please report it with the log above.\n";
     return 1;
   }
+}
+
+}  // namespace
+
+int run_command_line(const Command& program, const std::string& version, int argc,
+                     const char* const* argv) {
+  const int code = run_words(program, version, argc, argv);
+  const auto printed = files::all_printed();
+  return printed ? code : std::max(code, told(printed.error()));
 }
 
 }  // namespace onggi::cli

@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 
 #include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/error.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
 #include <sstream>
@@ -60,12 +61,13 @@ std::string head_of(const Answer& given) {
 }  // namespace
 
 Call::Call(Tcp::socket socket, Answers& answers, const Patience& patience,
-           std::function<void()> asked, std::function<void()> closed)
+           std::function<void(Work)> in_turn, Work asked, Work closed)
     : socket_(std::move(socket)),
       timer_(socket_.get_executor()),
       buffer_(2 * kMostOfAHead),
       answers_(answers),
       patience_(patience),
+      in_turn_(std::move(in_turn)),
       asked_(std::move(asked)),
       closed_(std::move(closed)) {
   parser_.header_limit(kMostOfAHead);
@@ -78,11 +80,17 @@ void Call::begin() {
   timer_.expires_after(patience_.asking);
   // The timer alone keeps no call.
   timer_.async_wait([weak = weak_from_this()](error_code error) {
-    if (const auto self = weak.lock(); self && !error) self->end();
+    // The request may come while this waits for its turn.
+    if (const auto self = weak.lock(); self && !error)
+      self->in_turn_([self] {
+        if (!self->sending_) self->end();
+      });
   });
   http::async_read(socket_, buffer_, parser_,
                    [self = shared_from_this()](error_code error, std::size_t) {
-                     if (!error) self->answer();
+                     if (!error) self->in_turn_([self] { self->answer(); });
+                     if (error == http::error::header_limit)
+                       self->in_turn_([self] { self->refuse_head(); });
                    });
 }
 
@@ -102,10 +110,22 @@ void Call::answer() {
   ask.languages = std::string(request[http::field::accept_language]);
   ask.range = std::string(request[http::field::range]);
   ask.if_range = std::string(request[http::field::if_range]);
-  Answer given = answers_.to(ask);
-  std::string text = head_of(given);
   // HEAD asks for the head of the answer to GET.
-  const bool content = ask.method != "HEAD";
+  send(answers_.to(ask), ask.method != "HEAD");
+}
+
+void Call::refuse_head() {
+  if (!socket_.is_open()) return;
+  Answer given;
+  given.status = 431;
+  given.type = "text/plain; charset=utf-8";
+  given.body = "The head of this request is longer than " + std::to_string(kMostOfAHead) +
+               " bytes. Ask with fewer or shorter fields.\n";
+  send(std::move(given), true);
+}
+
+void Call::send(Answer given, bool content) {
+  std::string text = head_of(given);
   if (content) text += given.body;
   souvenir::KeepsakeFile file;
   if (given.file) file = std::move(*given.file);
@@ -143,25 +163,29 @@ void Call::send_on() {
   }
   if (deleted_ && Clock::now() - *deleted_ > patience_.progress) return end();
   socket_.async_wait(Tcp::socket::wait_write, [self = shared_from_this()](error_code error) {
-    if (!error) self->send_on();
+    if (!error) self->in_turn_([self] { self->send_on(); });
   });
 }
 
 void Call::watch() {
   timer_.expires_at(moved_ + patience_.progress);
   timer_.async_wait([weak = weak_from_this()](error_code error) {
-    const auto self = weak.lock();
-    if (!self || error || !self->socket_.is_open()) return;
-    // The socket may be full while what is in it still arrives, slowly.
-    const auto now = Clock::now();
-    const std::size_t left = unconfirmed(self->socket_.native_handle()).value_or(0);
-    if (left < self->unconfirmed_) {
-      self->unconfirmed_ = left;
-      self->moved_ = now;
-    }
-    if (now - self->moved_ >= self->patience_.progress) return self->end();
-    self->watch();
+    if (const auto self = weak.lock(); self && !error)
+      self->in_turn_([self] { self->end_if_nothing_moves(); });
   });
+}
+
+void Call::end_if_nothing_moves() {
+  if (!socket_.is_open()) return;
+  // The socket may be full while what is in it still arrives, slowly.
+  const auto now = Clock::now();
+  const std::size_t left = unconfirmed(socket_.native_handle()).value_or(0);
+  if (left < unconfirmed_) {
+    unconfirmed_ = left;
+    moved_ = now;
+  }
+  if (now - moved_ >= patience_.progress) return end();
+  watch();
 }
 
 }  // namespace onggi::phone

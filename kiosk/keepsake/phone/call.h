@@ -23,13 +23,16 @@ struct Patience {
                                               ///< has left when its keepsake is deleted.
 };
 
-/// One connection: a request of at most 8 KiB head and 1 KiB body, and its answer. Closes itself.
+/// One connection: a request of at most 8 KiB head and 1 KiB body, and its answer; a longer head is
+/// told so, and anything else that is no request is closed without a word. Closes itself.
 /// Held alive by what it waits for. One thread.
 class Call : public std::enable_shared_from_this<Call> {
  public:
-  /// `asked` is called when the request is whole, `closed` when the call goes.
+  using Work = std::function<void()>;
+  /// `in_turn` is given each piece of work, and does it when it is this phone's turn. `asked` is
+  /// called when the request is whole, `closed` when the call goes.
   Call(boost::asio::ip::tcp::socket socket, Answers& answers, const Patience& patience,
-       std::function<void()> asked, std::function<void()> closed);
+       std::function<void(Work)> in_turn, Work asked, Work closed);
   ~Call();
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
@@ -42,8 +45,11 @@ class Call : public std::enable_shared_from_this<Call> {
   using Clock = std::chrono::steady_clock;
 
   void answer();
+  void refuse_head();
+  void send(Answer given, bool content);
   void send_on();
   void watch();
+  void end_if_nothing_moves();
 
   boost::asio::ip::tcp::socket socket_;
   boost::asio::steady_timer timer_;
@@ -51,7 +57,8 @@ class Call : public std::enable_shared_from_this<Call> {
   boost::beast::http::request_parser<boost::beast::http::string_body> parser_;
   Answers& answers_;
   Patience patience_;
-  std::function<void()> asked_, closed_;
+  std::function<void(Work)> in_turn_;
+  Work asked_, closed_;
   std::optional<Sending> sending_;
   Clock::time_point moved_{};                   // when a byte was last given or confirmed
   std::size_t unconfirmed_ = 0;                 // as of then

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "kiosk/ground/files/files_read.h"
+#include "kiosk/ground/files/printed.h"
 #include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/phone/server.h"
 #include "kiosk/keepsake/souvenir/pass.h"
@@ -61,9 +62,10 @@ onggi::Result<Arguments> read(int count, char** values) {
 onggi::Result<int> give(const Arguments& a) {
   char* end = nullptr;
   const double hours = std::strtod(a.hours.c_str(), &end);
-  if (end == a.hours.c_str() || *end != '\0' || !(hours > 0.0 && hours <= 24.0 * 365.0))
-    return onggi::problem("--hours " + a.hours, "This is not a valid time.",
-                          "Write hours, 1 to 8760.");
+  if (end == a.hours.c_str() || *end != '\0' || !(hours * 3600.0 >= 1.0 && hours <= 24.0 * 365.0))
+    return onggi::problem("--hours " + a.hours,
+                          "This is not a number of hours from 0.0003 (a second) to 8760.",
+                          "Write --hours 24 for a day.");
   const auto pass = onggi::souvenir::Passes::give_at_the_desk(a.pass, std::time(nullptr), hours);
   if (!pass) return tl::unexpected(pass.error());
   std::cout << "/k/" << pass->token << '\n';
@@ -136,6 +138,8 @@ int main(int count, char** values) {
     done = serve(*arguments);
   else
     done = onggi::problem("onggi-console", "The action is missing.", "Use --phone-only.");
+  if (const auto printed = onggi::files::all_printed(); done && !printed)
+    done = tl::unexpected(printed.error());
   if (done) return *done;
   std::cerr << onggi::to_text(done.error()) << '\n';
   return done.error().exit_code;

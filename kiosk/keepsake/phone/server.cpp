@@ -15,6 +15,7 @@
 
 #include "kiosk/keepsake/phone/connection_shares.h"
 #include "kiosk/keepsake/phone/descriptor_limit.h"
+#include "kiosk/keepsake/phone/turns.h"
 
 namespace onggi::phone {
 
@@ -28,6 +29,8 @@ using Tcp = asio::ip::tcp;
 constexpr std::size_t kOwnDescriptors = 16;
 // Before another try where the system has no connection to give.
 constexpr std::chrono::milliseconds kBreath{100};
+// Connections that are taken without a piece of work between them.
+constexpr int kTakenAtOnce = 256;
 
 /// Connections at once, each with a file.
 std::size_t most_at_once(std::size_t wanted) {
@@ -70,14 +73,19 @@ struct Server::Inside {
   asio::io_context context{1};
   Tcp::acceptor acceptor{context};
   asio::steady_timer timer{context}, breath{context};
+  Turns turns;  // its work holds calls, which go before the context
+  bool taking_turns = false;
 
   void accept() {
     acceptor.async_accept([this](error_code error, Tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
-      if (!error) {
+      // Those who came meanwhile too: else the last one waits for the work of all before it.
+      for (int n = 1; !error; ++n) {
         take(std::move(socket));
-        return accept();
+        if (n == kTakenAtOnce) return accept();
+        socket = acceptor.accept(error);
       }
+      if (error == asio::error::would_block) return accept();
       // Somebody who has gone already, or no descriptor left: to ask at once would be to ask
       // without an end.
       breath.expires_after(kBreath);
@@ -87,14 +95,17 @@ struct Server::Inside {
     });
   }
   void take(Tcp::socket socket) {
-    const ConnectionShares::Entry entry = shares.enter(name_of(socket));
+    const std::string address = name_of(socket);
+    const ConnectionShares::Entry entry = shares.enter(address);
     if (const auto out = calls.find(entry.out); out != calls.end())
       if (const auto call = out->second.lock()) call->end();
     // A refused phone can ask again.
     if (entry.in == 0) return;
     const auto number = entry.in;
     const auto call = std::make_shared<Call>(
-        std::move(socket), answers, patience, [this, number] { shares.asked(number); },
+        std::move(socket), answers, patience,
+        [this, address](Call::Work work) { in_turn(address, std::move(work)); },
+        [this, number] { shares.asked(number); },
         [this, number] {
           shares.leave(number);
           calls.erase(number);
@@ -102,14 +113,23 @@ struct Server::Inside {
     calls.emplace(number, call);
     call->begin();
   }
+  void in_turn(const std::string& address, Call::Work work) {
+    turns.add(address, std::move(work));
+    if (!std::exchange(taking_turns, true)) asio::post(context, [this] { take_turns(); });
+  }
+  void take_turns() {
+    turns.next();
+    taking_turns = !turns.empty();
+    if (taking_turns) asio::post(context, [this] { take_turns(); });
+  }
   void every_minute(const std::function<bool()>& work) {
-    turns(work);
+    tidying(work);
     timer.expires_after(std::chrono::minutes(1));
     timer.async_wait([this, &work](error_code error) {
       if (!error) every_minute(work);
     });
   }
-  void turns(const std::function<bool()>& work) {
+  void tidying(const std::function<bool()>& work) {
     if (at_work) return;
     at_work = true;
     turn(work);
@@ -138,6 +158,7 @@ Result<std::unique_ptr<Server>> Server::listen(const std::string& address, std::
   inside->acceptor.open(end.protocol(), error);
   if (!error) inside->acceptor.set_option(Tcp::acceptor::reuse_address(true), error);
   if (!error) inside->acceptor.bind(end, error);
+  if (!error) inside->acceptor.non_blocking(true, error);
   if (!error) inside->acceptor.listen(Tcp::acceptor::max_listen_connections, error);
   if (error)
     return problem(where, "The server for phones cannot start: " + error.message() + ".",

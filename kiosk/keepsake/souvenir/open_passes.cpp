@@ -62,14 +62,14 @@ void OpenPasses::refresh(Work& work) {
   std::vector<std::string> tokens = tokens_of(keepsakes_);
   ++work.lists;
   // What is known of a token stays known.
-  std::vector<std::string> visits(tokens.size());
+  std::vector<Known> known(tokens.size());
   std::size_t old = 0;
   for (std::size_t n = 0; n < tokens.size(); ++n) {
     while (old < tokens_.size() && tokens_[old] < tokens[n]) ++old;
-    if (old < tokens_.size() && tokens_[old] == tokens[n]) visits[n] = std::move(visits_[old]);
+    if (old < tokens_.size() && tokens_[old] == tokens[n]) known[n] = std::move(known_[old]);
   }
   tokens_ = std::move(tokens);
-  visits_ = std::move(visits);
+  known_ = std::move(known);
   slots_.resize(tokens_.size());
   std::transform(tokens_.begin(), tokens_.end(), slots_.begin(), slot_of);
   listed_ = now;
@@ -169,7 +169,7 @@ Result<void> OpenPasses::remove_all_of(const Pass& pass, Work* work) {
   Work done;
   refresh(done);
   for (std::size_t n = 0; n < tokens_.size(); ++n) {
-    if (!visits_[n].empty() && visits_[n] != pass.visit) continue;
+    if (!known_[n].visit.empty() && known_[n].visit != pass.visit) continue;
     const auto other = read_pass(keepsakes_, tokens_[n]).value_or(std::nullopt);
     ++done.files;
     if (other && other->visit == pass.visit) fs::remove(folder() / tokens_[n], error);
@@ -204,6 +204,10 @@ bool OpenPasses::forget_some(std::int64_t now, Work* work) {
   if (round_.empty()) {
     refresh(done);
     round_ = tokens_;
+    std::vector<std::int64_t> given;
+    for (const Known& known : known_)
+      if (!known.visit.empty()) given.push_back(known.from);
+    ages_ = PassAges(std::move(given));
   }
   for (std::size_t n = 0; n < kAtATurn && !round_.empty(); ++n) {
     const std::string token = std::move(round_.back());
@@ -212,14 +216,14 @@ bool OpenPasses::forget_some(std::int64_t now, Work* work) {
     ++done.files;
     if (!pass) continue;
     std::error_code error;
-    if (!*pass || !in_time(**pass, now) || keepsake_of((*pass)->visit) == Keepsake::gone) {
+    if (!*pass || ages_.over(**pass, now) || keepsake_of((*pass)->visit) == Keepsake::gone) {
       fs::remove(folder() / token, error);
       continue;
     }
-    // For remove_all_of(): it needs to read no pass that is another visit's.
+    // For the next round, and for remove_all_of(), which needs to read no other visit's pass.
     const auto at = std::lower_bound(tokens_.begin(), tokens_.end(), token);
     if (at != tokens_.end() && *at == token)
-      visits_[static_cast<std::size_t>(at - tokens_.begin())] = (*pass)->visit;
+      known_[static_cast<std::size_t>(at - tokens_.begin())] = {(*pass)->visit, (*pass)->from};
   }
   if (work != nullptr) *work = done;
   return !round_.empty();

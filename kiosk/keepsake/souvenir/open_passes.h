@@ -12,6 +12,7 @@
 
 #include "engine/base/result.h"
 #include "kiosk/ground/files/descriptor.h"
+#include "kiosk/keepsake/souvenir/pass_ages.h"
 #include "kiosk/keepsake/souvenir/pass_file.h"
 #include "kiosk/keepsake/souvenir/stl.h"
 
@@ -61,14 +62,20 @@ class OpenPasses {
   void end_serving() const;
   /// Passes that one call of forget_some() looks at.
   static constexpr std::size_t kAtATurn = 16;
-  /// Looks at the next kAtATurn passes, each read once, and removes the expired ones and those
-  /// without a keepsake, except for a keepsake that is being written. A pass that cannot be read
-  /// stays. True while this round has passes left; the call after that begins another round.
+  /// Looks at the next kAtATurn passes, each read once, and removes those that are over (PassAges,
+  /// by the dates that the rounds before have read) and those without a keepsake, except for a
+  /// keepsake that is being written. A pass that cannot be read stays. True while this round has
+  /// passes left; the call after that begins another round.
   bool forget_some(std::int64_t now, Work* work = nullptr);
 
  private:
   /// A token, padded with zeros, so that all are compared in whole words.
   using Slot = std::array<std::uint64_t, 4>;
+  /// What forget_some() has read of a token's pass.
+  struct Known {
+    std::string visit{};  // "": not looked at yet
+    std::int64_t from = 0;
+  };
   enum class Keepsake { gone, partial, whole, unknown };
 
   static Slot slot_of(std::string_view token);
@@ -79,8 +86,9 @@ class OpenPasses {
   std::filesystem::path keepsakes_;
   std::vector<std::string> tokens_;   // sorted
   std::vector<Slot> slots_;           // of tokens_
-  std::vector<std::string> visits_;   // of tokens_; "": not looked at yet
+  std::vector<Known> known_;          // of tokens_
   std::vector<std::string> round_{};  // tokens that this round of forget_some() has left
+  PassAges ages_{};                   // by what was known when it began
   FolderStamp listed_{};              // the folder when it was listed
   bool settled_ = false;              // false: it may have changed without another time
 };

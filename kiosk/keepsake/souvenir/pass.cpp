@@ -7,12 +7,25 @@
 #include <span>
 #include <system_error>
 
+#include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/keepsake/souvenir/pass_ages.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
 namespace fs = std::filesystem;
 
 namespace onggi::souvenir {
+namespace {
+
+constexpr std::int64_t kFirstGiven = 1'767'225'600;  // 2026: an earlier clock is surely wrong
+
+/// True if the clock was ahead by over a year when the pass was given. Where it is less, or the
+/// clock is known to be back, it is the clock that is not believed.
+bool is_from_a_wrong_future(const Pass& pass, std::int64_t now) {
+  return now >= kFirstGiven && pass.from - now > files::kJump;
+}
+
+}  // namespace
 
 Result<std::string> Passes::new_token() {
   std::array<unsigned char, 16> random{};
@@ -88,10 +101,18 @@ void Passes::take_back(const Pass& pass) const {
 }
 
 std::set<std::string> Passes::promised(std::int64_t now) const {
-  std::set<std::string> visits;
+  std::vector<Pass> passes;
+  std::vector<std::int64_t> given;
   for (const std::string& token : tokens_of(keepsakes_))
-    if (const auto pass = read_pass(keepsakes_, token); pass && *pass && in_time(**pass, now))
-      visits.insert((*pass)->visit);
+    if (auto pass = read_pass(keepsakes_, token); pass && *pass) {
+      given.push_back((*pass)->from);
+      passes.push_back(std::move(**pass));
+    }
+  const PassAges ages(std::move(given));
+  std::set<std::string> visits;
+  for (Pass& pass : passes)
+    if (!ages.over(pass, now) && !is_from_a_wrong_future(pass, now))
+      visits.insert(std::move(pass.visit));
   return visits;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kiosk/collection/settings/visitor_text.h"
+#include "kiosk/picture/render/font_coverage.h"
 
 namespace onggi::render {
 namespace {
@@ -82,7 +83,8 @@ std::string shapeable(const std::string& text) {
     end = Typesetter::kMostBytes;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
   }
-  std::string out = settings::with_breaks(std::string_view(text).substr(0, end));
+  std::string out =
+      FontCoverage::here().boxed(settings::with_breaks(std::string_view(text).substr(0, end)));
   return end < text.size() ? out + "…" : out;
 }
 

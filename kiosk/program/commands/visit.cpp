@@ -23,6 +23,7 @@
 #include "kiosk/picture/encoding/encode.h"
 #include "kiosk/picture/render/window_size.h"
 #include "kiosk/program/commands/commands.h"
+#include "kiosk/program/commands/visit_out.h"
 
 namespace fs = std::filesystem;
 
@@ -209,16 +210,13 @@ Result<void> check(const VisitArguments& arguments) {
                    "Remove one of the two options.");
   if (arguments.out.empty())
     return problem("--out", "It is empty.", "Name a folder for the keepsake and the pictures.");
-  std::error_code error;
-  if (fs::create_directories(arguments.out, error); error || !fs::is_directory(arguments.out))
-    return problem("--out " + arguments.out, "This folder does not exist and cannot be created.",
-                   "Name a writable folder.");
   if (arguments.hand != "script" && arguments.hand != "mouse" && arguments.hand != "device")
     return problem("--hand " + arguments.hand, "Unknown --hand.", "Write script, mouse or device.");
   if (arguments.pointer != "mouse" && arguments.pointer != "finger")
     return problem("--pointer " + arguments.pointer, "Unknown --pointer.",
                    "Use --pointer mouse or --pointer finger.");
   if (!arguments.film.empty()) {
+    std::error_code error;
     if (fs::create_directories(arguments.film, error); error || !fs::is_directory(arguments.film))
       return problem("--film " + arguments.film,
                      "This folder does not exist and cannot be created.",
@@ -238,6 +236,8 @@ Result<int> visit(const VisitArguments& arguments) {
   if (auto good = check(arguments); !good) return tl::unexpected(good.error());
   const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
+  if (auto good = make_visit_out(arguments.out, *config); !good)
+    return tl::unexpected(good.error());
   exhibit::KioskOptions options;
   options.config = *config;
   options.stepped = true;

@@ -51,7 +51,7 @@ TEST(VisitorText, AWordOfMoreThanFortyLettersIsSaidWhereTheWritingHasSpaces) {
 
 TEST(VisitorText, ATextOfWhichNothingIsSeenIsNamed) {
   for (const char* unseen : {"\u200b\u200b", "\u3164", " \u00a0 ", "\u2800", "\ufeff", "\U000e0041",
-                             "\u115f\u1160", "\u202e"}) {
+                             "\u115f\u1160", "\u2061"}) {
     EXPECT_TRUE(is_blank(unseen));
     EXPECT_THAT(fault(unseen, {60}), HasSubstr("nobody can see"));
   }
@@ -66,6 +66,21 @@ TEST(VisitorText, ControlCharactersAreNamedAndLineBreaksStandOnlyInParagraphs) {
   EXPECT_THAT(fault("a\u0085", {60}), HasSubstr("control character U+0085"));
   EXPECT_THAT(fault("two\nlines", {60}), HasSubstr("line break or tab"));
   EXPECT_EQ(fault("two\r\nlines\tfar", {60, true}), "");
+}
+
+TEST(VisitorText, WhatTurnsTheDirectionOfWritingOrBreaksALineUnseenIsNamedWithItsCode) {
+  EXPECT_THAT(fault("jar\u202Exet.toml", {60, true}),
+              HasSubstr("control character U+202E (it turns the direction of writing)"));
+  for (const char* turns :
+       {"\u202A", "\u202B", "\u202C", "\u202D", "\u2066", "\u2067", "\u2068", "\u2069"})
+    EXPECT_THAT(fault(std::string("a") + turns + "b", {60}), HasSubstr("turns the direction"));
+  for (const char* breaks : {"\u2028", "\u2029"})
+    EXPECT_THAT(fault(std::string("a") + breaks + "b", {60, true}),
+                HasSubstr("(it breaks a line)"));
+  EXPECT_EQ(fitted("a\u202Eb", {60}), "a b");
+  // Marks beside a number or a bracket are good Arabic and Hebrew.
+  for (const char* mark : {"\u200E", "\u200F", "\u061C"})
+    EXPECT_EQ(fault(std::string("جرة") + mark + " (A)", {60}), "");
 }
 
 TEST(VisitorText, WhatIsFittedHasNoFaultOfLengthOrControlAndStaysWhereItFits) {

@@ -50,6 +50,24 @@ TEST(CheckExhibit, AHiddenVesselMayHaveASceneAndWordsInEveryLanguage) {
                   .problems.empty());
 }
 
+TEST(CheckExhibit, AMissionsPotThatCannotBeThrownIsToldAtItsLitres) {
+  const commands::ScratchFolder folder;
+  for (const char* part : {"config", "content"})
+    std::filesystem::copy(part, folder / part, std::filesystem::copy_options::recursive);
+  std::ofstream(folder / "config/exhibit.toml") << "languages = [\"en\"]\n[title]\nen = \"A\"\n";
+  const auto file = folder / "content/missions.toml";
+  std::ofstream(file) << "[[mission]]\nid = \"good\"\nkind = \"describe\"\nlitres = 1\n"
+                         "title.en = \"A\"\nabout.en = \"B\"\n"
+                         "[[mission]]\nid = \"cannot_be\"\nkind = \"describe\"\n"
+                         "height_mm = [40, 45]\nlitres = 3\ntitle.en = \"A\"\nabout.en = \"B\"\n";
+  const auto report = check_path((folder / "config/exhibit.toml").string());
+  ASSERT_TRUE(report);
+  ASSERT_EQ(report->problems.size(), 1u);
+  EXPECT_NE(report->problems[0].where.find("missions.toml:11:"), std::string::npos)
+      << report->problems[0].where;
+  EXPECT_NE(report->problems[0].what.find("litres"), std::string::npos);
+}
+
 TEST(CheckExhibit, AShelfThatIsAllHiddenIsAProblem) {
   std::string all;
   for (const auto& entry : std::filesystem::directory_iterator("content/vessels"))

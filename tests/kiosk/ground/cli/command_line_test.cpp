@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iostream>
 #include <stdexcept>
+#include <streambuf>
 #include <vector>
 
 namespace onggi::cli {
@@ -160,6 +162,32 @@ TEST_F(CommandLine, a_problem_is_printed_and_its_exit_code_is_the_programs) {
   program_.run = []() -> Result<int> { return 2; };
   EXPECT_EQ(run({}), 2);
   EXPECT_EQ(said_, "");
+}
+
+TEST_F(CommandLine, what_was_printed_and_could_not_be_written_is_told_in_a_line) {
+  struct Full : std::streambuf {
+    int overflow(int) override { return traits_type::eof(); }
+  } full;
+  program_.run = []() -> Result<int> {
+    std::cout << "a report\n";
+    return 0;
+  };
+  for (const int wrong : {0, 2}) {
+    if (wrong == 2)
+      program_.run = []() -> Result<int> {
+        std::cout << "a report\n";
+        return 2;
+      };
+    testing::internal::CaptureStderr();
+    std::streambuf* const old = std::cout.rdbuf(&full);
+    const char* const words[] = {"wheel"};
+    const int code = run_command_line(program_, "1.2", 1, words);
+    std::cout.rdbuf(old);
+    std::cout.clear();
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(code, std::max(1, wrong));
+    EXPECT_THAT(said, ::testing::StartsWith("standard output: Not everything"));
+  }
 }
 
 TEST_F(CommandLine, what_is_thrown_is_the_programs_fault) {

@@ -95,7 +95,10 @@ TEST_F(PhoneTest, DeletingRemovesEveryCopyAndEveryWayToIt) {
 }
 
 TEST_F(PhoneTest, APageIsThereForItsHoursAndAClockThatJumpsMakesItNoOlder) {
-  const std::string at = "/k/" + token(24);
+  const std::string first = token(24), at = "/k/" + first;
+  ASSERT_TRUE(passes_.give(kVisit, kNow + 12 * kHour, 24));
+  answers_.look_after();
+  answers_.end();
   now_ = kNow + 24 * kHour - 1;
   EXPECT_THAT(get(at), StartsWith("HTTP/1.1 200"));
   now_ = kNow - 23 * kHour;
@@ -110,8 +113,7 @@ TEST_F(PhoneTest, APageIsThereForItsHoursAndAClockThatJumpsMakesItNoOlder) {
   EXPECT_FALSE(passes_.served(std::time(nullptr) + souvenir::Passes::kSilent));
   answers_.end();
   EXPECT_FALSE(passes_.served(std::time(nullptr)));
-  for (const auto& left : fs::directory_iterator(keepsakes_ / "phone"))
-    EXPECT_EQ(left.path().filename(), "fetched") << "no pass, and nobody there";
+  EXPECT_FALSE(fs::exists(keepsakes_ / "phone" / first));
   EXPECT_TRUE(fs::exists(keepsakes_ / kVisit / "pot.glb")) << "the museum's copy has its own days";
 }
 
@@ -119,9 +121,19 @@ TEST_F(PhoneTest, APhoneThatSaysNothingOrNonsenseKeepsNobodyWaiting) {
   std::vector<test::PhoneConnection> silent;
   for (int n = 0; n < 20; ++n) silent.emplace_back(server_->port());
   EXPECT_EQ(hear("\r\n\r\nNONSENSE\r\n\r\n"), "");
-  EXPECT_EQ(hear("GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n"), "");
   EXPECT_EQ(hear("POST / HTTP/1.1\r\nContent-Length: 9999999\r\n\r\n"), "");
   EXPECT_THAT(get("/k/" + token()), StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(PhoneTest, AHeadThatIsTooLongIsToldSoInALine) {
+  for (const std::string& head : {"GET / HTTP/1.1\r\nX: " + std::string(9'000, 'x') + "\r\n\r\n",
+                                  "GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n",
+                                  "GET /" + std::string(20'000, 'x') + " HTTP/1.1\r\n\r\n"}) {
+    const std::string heard = hear(head);
+    EXPECT_THAT(heard, StartsWith("HTTP/1.1 431 Request Header Fields Too Large\r\n"));
+    EXPECT_THAT(heard, HasSubstr("longer than 8192 bytes"));
+    EXPECT_THAT(heard, HasSubstr("Cache-Control: no-store")) << "as every answer";
+  }
 }
 
 // The server has one thread: what it hears out, all others wait for.

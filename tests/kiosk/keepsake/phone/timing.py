@@ -73,7 +73,7 @@ def main():
         for kind in order:
             # Once a minute the console forgets passes that have expired: then they are as never given.
             if time.monotonic() - renewed > 20:
-                expired = [given(visits[0], 0.0001) for _ in range(4)]
+                expired = [given(visits[0], 0.0003) for _ in range(4)]
                 time.sleep(1.5)
                 renewed = time.monotonic()
             target = {"wrong": "/k/" + chance.choice(wrongs), "last letter": chance.choice(nears),

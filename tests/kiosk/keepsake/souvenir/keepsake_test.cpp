@@ -157,6 +157,7 @@ TEST(keepsake, the_quota_takes_no_visit_whose_page_is_promised_and_the_next_olde
     put_visit(scratch.path(), name, 4000);
   const Passes passes(scratch.path());
   ASSERT_TRUE(passes.give("2026-01-01_100000_a", now, 24));
+  ASSERT_TRUE(passes.give("2026-01-01_100000_a", now - 12 * 3600, 24));
   ASSERT_TRUE(passes.give("2026-01-02_100000_b", now - 26 * 3600, 24));
   ASSERT_TRUE(passes.give("2026-01-03_100000_c", now, 24));
   ASSERT_TRUE(tidy(scratch.path(), {10}, {}, now));
@@ -165,6 +166,11 @@ TEST(keepsake, the_quota_takes_no_visit_whose_page_is_promised_and_the_next_olde
   ASSERT_TRUE(tidy(scratch.path(), {5}, {}, now));
   EXPECT_THAT(names_in(scratch.path()),
               ElementsAre("2026-01-01_100000_a", "2026-01-03_100000_c", "phone"));
+  // No visits since: the clock alone is not believed (PassAges).
+  ASSERT_TRUE(tidy(scratch.path(), {5}, {}, now + 25 * 3600));
+  EXPECT_THAT(names_in(scratch.path()),
+              ElementsAre("2026-01-01_100000_a", "2026-01-03_100000_c", "phone"));
+  ASSERT_TRUE(passes.give("2026-01-04_100000_d", now + 12 * 3600, 24));
   ASSERT_TRUE(tidy(scratch.path(), {5}, {}, now + 25 * 3600));
   EXPECT_THAT(names_in(scratch.path()), ElementsAre("2026-01-03_100000_c", "phone"));
 }

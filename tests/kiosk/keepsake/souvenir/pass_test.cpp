@@ -158,21 +158,46 @@ TEST_F(PassTest, TidyingReadsEachPassOnceAndAFewInATurnHoweverManyThereAre) {
     std::ofstream(scratch_.path() / "phone" / pass.token) << text_of(pass);
     passes.push_back(pass);
   }
-  std::size_t turns = 0, read = 0, lists = 0;
-  for (bool more = true; more; ++turns) {
-    OpenPasses::Work work;
-    more = open_.forget_some(kNow + 2 * kHour, &work);
-    EXPECT_LE(work.files, OpenPasses::kAtATurn);
-    EXPECT_EQ(work.letters, 0u);
-    read += work.files;
-    lists += work.lists;
+  // Visits went on.
+  ASSERT_TRUE(passes_.give(kVisit, kNow + kHour / 2, 24));
+  ASSERT_TRUE(passes_.give(kVisit, kNow + kHour, 24));
+  settle();
+  for (const std::size_t lists_of_round : {1u, 0u}) {
+    EXPECT_EQ(files(), kMany + 2) << "the first round learns the dates";
+    std::size_t turns = 0, read = 0, lists = 0;
+    for (bool more = true; more; ++turns) {
+      OpenPasses::Work work;
+      more = open_.forget_some(kNow + 2 * kHour, &work);
+      EXPECT_LE(work.files, OpenPasses::kAtATurn);
+      EXPECT_EQ(work.letters, 0u);
+      read += work.files;
+      lists += work.lists;
+    }
+    EXPECT_EQ(read, kMany + 2);
+    EXPECT_EQ(lists, lists_of_round);
+    EXPECT_EQ(turns, (kMany + 2 + OpenPasses::kAtATurn - 1) / OpenPasses::kAtATurn);
   }
-  EXPECT_EQ(read, kMany);
-  EXPECT_EQ(lists, 1u);
-  EXPECT_EQ(turns, (kMany + OpenPasses::kAtATurn - 1) / OpenPasses::kAtATurn);
-  EXPECT_EQ(files(), kMany / 2) << "every second one was expired";
+  EXPECT_EQ(files(), kMany / 2 + 2) << "every second one was expired";
   for (std::size_t n = 0; n < kMany; ++n)
     EXPECT_EQ(open_.find(passes[n].token, kNow + 2 * kHour).has_value(), n % 2 == 0);
+}
+
+TEST_F(PassTest, AClockThatIsWrongByADayOrYearsTakesNoPassAndItsPageOpensAgain) {
+  const Pass pass = give();
+  ASSERT_TRUE(passes_.give(kVisit, kNow + kHour, 24));
+  for (const std::int64_t wrong : {25 * kHour, -25 * kHour, 90000 * kHour, -400000 * kHour}) {
+    for (int round = 0; round < 3; ++round)
+      while (open_.forget_some(kNow + wrong)) {
+      }
+    EXPECT_FALSE(open_.find(pass.token, kNow + wrong)) << wrong;
+    EXPECT_TRUE(open_.find(pass.token, kNow + kHour)) << "right again, after " << wrong;
+    EXPECT_EQ(passes_.promised(kNow + wrong), std::set<std::string>{kVisit}) << wrong;
+  }
+}
+
+TEST_F(PassTest, WhatWasGivenByAClockAYearAheadIsNotPromisedForYears) {
+  ASSERT_TRUE(passes_.give(kVisit, kNow + 9000 * kHour, 24));
+  EXPECT_TRUE(passes_.promised(kNow).empty());
 }
 
 TEST_F(PassTest, DeletingReadsNoPassThatIsKnownToBeAnotherVisits) {

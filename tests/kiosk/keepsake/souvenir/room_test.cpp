@@ -29,7 +29,7 @@ TEST(room, keepsakes_and_those_whose_page_is_promised_are_counted_each_once) {
   put_visit(scratch.path(), "2026-05-02_100000_b", 2000);
   put_visit(scratch.path(), "2026-05-03_100000_c", 500);
   fs::create_directories(scratch.path() / "photos");
-  ASSERT_TRUE(passes.give("2026-05-01_100000_a", kNow - 3600, 24));
+  ASSERT_TRUE(passes.give("2026-05-01_100000_a", kNow - 10 * 3600, 24));
   ASSERT_TRUE(passes.give("2026-05-01_100000_a", kNow, 24)) << "the desk gave a second one";
   ASSERT_TRUE(passes.give("2026-05-02_100000_b", kNow - 25 * 3600, 24)) << "it is over";
   ASSERT_TRUE(passes.give("2026-05-04_100000_d", kNow, 24)) << "its keepsake was deleted";

@@ -120,6 +120,26 @@ TEST(Typesetter, RunningTextInChineseOrJapaneseFillsItsLines) {
   EXPECT_GT(size.width, 385.0f);
 }
 
+TEST(Typesetter, ALetterThatNoFontHasIsOneBox) {
+  const Typesetter type;
+  for (const char* language : {"en", "ko", "ja", "ar"}) {
+    const view::TextStyle style{.px = 30, .language = language};
+    const float box = type.measure("Jar \u25A1", style, 0).width;
+    // For private use, and of a plane without writings.
+    for (const char* none : {"\U000F0000", "\U0003FFF0", "\U000FABCD"})
+      EXPECT_FLOAT_EQ(type.measure(std::string("Jar ") + none, style, 0).width, box) << language;
+  }
+}
+
+TEST(Typesetter, WhatHasNoInkIsNoBox) {
+  const Typesetter type;
+  const view::TextStyle style{.px = 30};
+  const auto plain = type.measure("Jar", style, 0);
+  for (const char* unseen : {"\u200B", "\u2060", "\uFE0F", "\U000E0100", "\U000E0041"})
+    EXPECT_FLOAT_EQ(type.measure(std::string("Ja") + unseen + "r", style, 0).width, plain.width)
+        << unseen;
+}
+
 using TextOnScreen = StudioTest;
 
 TEST_F(TextOnScreen, AParagraphFromTheRightStaysOneWhateverItBeginsWith) {

@@ -178,6 +178,36 @@ TEST(Visit, APlaceThatCanBeNoFolderIsRefusedBeforeTheVisit) {
   }
 }
 
+TEST(Visit, AFolderOfTheExhibitOrWithOtherThingsInItIsRefusedAndStaysAsItIs) {
+  const ScratchFolder site;
+  for (const char* part : {"config", "content"})
+    fs::copy(part, site / part, fs::copy_options::recursive);
+  fs::create_directories(site / "photos");
+  std::ofstream(site / "photos/pots.txt") << "mine";
+  fs::create_directories(site / "album/screens");
+  std::ofstream(site / "album/screens/holiday.png") << "mine";
+  const auto files = [&site] {
+    const auto all = fs::recursive_directory_iterator(site.path());
+    return std::distance(begin(all), end(all));
+  };
+  const auto before = files();
+  for (const auto& [out, why] : {std::pair{"content/vessels", "belongs to the exhibit"},
+                                 std::pair{"content/vessels/moon_jar", "belongs to the exhibit"},
+                                 std::pair{"content/languages", "belongs to the exhibit"},
+                                 std::pair{"config", "belongs to the exhibit"},
+                                 std::pair{"photos", "pots.txt"}, std::pair{"album", "holiday.png"},
+                                 std::pair{".", "Something else lies in this folder: album"},
+                                 std::pair{"content/vessels/new", "belongs to the exhibit"}}) {
+    const Outcome run =
+        onggi("visit --vessel moon_jar --config " + (site / "config/exhibit.toml").string() +
+              " --out " + (site / out).string());
+    EXPECT_EQ(run.exit_code, 2) << out;
+    EXPECT_NE(run.err.find("--out"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(why), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(files(), before);
+}
+
 TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysWhy) {
   const ScratchFolder folder;
   const std::string out = (folder / "out").string();
