@@ -127,6 +127,7 @@ void add_content(Json& all) {
   add(all, "pack", "credit", bounds::kCredit);
   add(all, "pack", "licence", bounds::kLicence);
   add(all, "label", "title", bounds::kTitle);
+  add(all, "label", "what", bounds::kWhat);
   add(all, "label", "culture", bounds::kCulture);
   add(all, "label", "date", bounds::kDate);
   add(all, "label", "made", bounds::kMade);

@@ -60,6 +60,7 @@ void read_labels(toml::TomlReader::Table& root, PackRead& read) {
                          ? "the title is empty."
                          : "the title has only characters that nobody can see.",
                      "Give the vessel's name in this language.");
+    table.text("what", label.what);
     table.text("culture", label.culture);
     table.text("date", label.date);
     table.text("made", label.made);

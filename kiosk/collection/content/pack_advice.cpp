@@ -63,6 +63,7 @@ constexpr BoundedField<Pack> kPackFields[] = {
     {"licence", &Pack::licence, settings::bounds::kLicence}};
 constexpr BoundedField<Label> kLabelFields[] = {
     {"title", &Label::title, settings::bounds::kTitle},
+    {"what", &Label::what, settings::bounds::kWhat},
     {"culture", &Label::culture, settings::bounds::kCulture},
     {"date", &Label::date, settings::bounds::kDate},
     {"made", &Label::made, settings::bounds::kMade},

@@ -45,6 +45,7 @@ std::string label_toml(const Vessel& vessel, const std::string& language) {
   const GltfCredit& given = english ? vessel.given : nothing;
   std::string out = "[label." + language + "]\n";
   out += "title = " + quoted(vessel.label(language).title) + "\n";
+  out += line("what", "", "A pharmacy jar");
   out += line("culture", given.culture, "Korea, Joseon dynasty");
   out += line("date", given.date, "18th century");
   out += line("made", "", "How it was made, in one sentence. If it was never thrown, say so.");

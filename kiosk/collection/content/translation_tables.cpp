@@ -30,6 +30,7 @@ struct TranslatedText {
 
 constexpr TranslatedText kTexts[] = {
     {"vessel", "title", bounds::kTitle},
+    {"vessel", "what", bounds::kWhat},
     {"vessel", "culture", bounds::kCulture},
     {"vessel", "date", bounds::kDate},
     {"vessel", "made", bounds::kMade},
@@ -110,9 +111,9 @@ settings::Translations read_translations(const std::filesystem::path& folder,
 
 void translate(Vessel& vessel, const settings::Translations& translations) {
   constexpr std::pair<const char*, std::string Label::*> kLabelParts[] = {
-      {"title", &Label::title},    {"culture", &Label::culture}, {"date", &Label::date},
-      {"made", &Label::made},      {"text", &Label::text},       {"credit", &Label::credit},
-      {"address", &Label::address}};
+      {"title", &Label::title},     {"culture", &Label::culture}, {"date", &Label::date},
+      {"made", &Label::made},       {"text", &Label::text},       {"credit", &Label::credit},
+      {"address", &Label::address}, {"what", &Label::what}};
   std::map<std::string, Label> labels = vessel.labels;
   for (const auto& [code, language] : translations.languages)
     for (const auto& [key, part] : kLabelParts)

@@ -27,6 +27,7 @@ struct Label {
   std::string text;       ///< At most 100 words.
   std::string credit;     ///< The full credit line in this language; empty: Vessel::credit.
   std::string address{};  ///< The museum's page in this language, good (content/address.h), or "".
+  std::string what{};     ///< What it is, in a few words: "A pharmacy jar".
 };
 
 /// A vessel on the shelf: the mesh for its picture, the profile for its outline and score.

@@ -27,6 +27,9 @@ constexpr double kNeck = 0.97;
 constexpr double kShut = 0.75;
 /// A belly this near the rim counts as the mouth.
 constexpr double kMouthHeight = 0.93;
+/// A belly is this share of its width wider than foot and mouth: a cylinder has none. To speak of
+/// its height, vessel and pot need twice as much.
+constexpr double kBelly = 0.05;
 
 /// One measure of callipers: its name, and made minus wanted in metres.
 struct Feature {
@@ -39,18 +42,23 @@ struct Feature {
   double length;  ///< The target's own, metres: its width there, or its height.
 };
 
+/// How much wider than foot and mouth, as a share of its own width.
+double bulge(const Dimensions& d) {
+  return d.belly > 0.0 ? 1.0 - std::max(d.foot, d.mouth) / d.belly : 0.0;
+}
+
 std::vector<Feature> features(const Measures& m) {
   std::vector<Feature> out;
   const Dimensions &made = m.made, &target = m.target;
-  const bool bellied = target.belly_height < kMouthHeight * target.height;
+  const bool bellied = target.belly_height < kMouthHeight * target.height && bulge(target) > kBelly;
   if (bellied) {
     out.push_back({"belly", made.belly - target.belly, "wide", "narrow", 1.0, target.belly_height,
                    target.belly});
-    // If there is hardly a belly, its height means little.
-    const double pronounced =
-        std::min(1.0, 4.0 * (target.belly - std::max(target.foot, target.mouth)) / target.belly);
-    out.push_back({"belly", made.belly_height - target.belly_height, "high", "low",
-                   std::max(0.0, 0.5 * pronounced), target.belly_height, target.height});
+    // If there is hardly a belly, its height means little; without one it means nothing.
+    const double least = std::min(bulge(target), bulge(made));
+    if (least > 2 * kBelly)
+      out.push_back({"belly", made.belly_height - target.belly_height, "high", "low",
+                     std::min(0.5, 2.0 * least), target.belly_height, target.height});
   }
   if (target.neck < kNeck * target.mouth)
     out.push_back(
@@ -139,14 +147,13 @@ std::optional<Remark> largest_difference(const Measures& m, bool scale_free, dou
   const std::vector<Feature> parts = features(m);
   const Feature* largest = nullptr;
   for (const Feature& f : parts) {
-    // The height of the belly counts only if there is a real belly, and if it is the larger
-    // difference.
+    // The height of the belly counts only if it is the larger difference.
     const bool height = std::string(f.more) == "high";
     const bool there =
         f.difference * m.common_firm_sign > 0.0 &&
         std::abs(f.place - m.common_firm_at * m.target.height) <= kAtPart * m.target.height;
     const double share = height ? 1.0 : there ? kAsMuchThere : kAsMuch;
-    if (std::abs(f.difference) < share * worst || f.weight < 0.2) continue;
+    if (std::abs(f.difference) < share * worst) continue;
     if (largest == nullptr || std::abs(f.difference) > std::abs(largest->difference)) largest = &f;
   }
   if (largest != nullptr)

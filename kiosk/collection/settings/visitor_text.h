@@ -23,6 +23,7 @@ namespace bounds {
 inline constexpr TextBound kExhibitTitle{120}, kExhibitCredit{120};
 // vessel.toml. Its words are also limited to 100.
 inline constexpr TextBound kTitle{60, false, true}, kCulture{80, false, true};
+inline constexpr TextBound kWhat{40, false, true};
 inline constexpr TextBound kDate{60, false, true}, kLabelCredit{300, false, true};
 inline constexpr TextBound kMade{300, true, true}, kText{900, true, true};
 // Printed in one line: institution, accession, credit.

@@ -69,7 +69,7 @@ void PointerLead::drag(Vec2 at) {
   if (!first_ || at != *first_) rests_ = 0;
   first_ = at;
   const bool light = on_its_way(at);
-  if (light && sign_ * at.x < 0) sign_ = -sign_, across_ = kAcross;
+  if (!second_ && sign_ * at.x < 0) sign_ = -sign_, across_ = kAcross;
   double reach = std::abs(at.x), height = at.y;
   if (second_) {
     reach = std::max(reach, std::abs(second_->x));

@@ -13,7 +13,7 @@ namespace onggi::device {
 
 /// The screens' side of a finger, a mouse or arrow keys as the potter's hands: it sets the tools'
 /// targets (PointerHand glides there). The hands are in the plane through the axis that faces the
-/// camera, on the side of the pot where the pointer went down. When the pointer goes down, the
+/// camera, on the side of the pot where the pointer is. When the pointer goes down, the
 /// hands just touch the clay at its height. Then they follow the drawn line at a potter's pace,
 /// including corners: the face they work moves to the line, as far as one pass allows (WallPass).
 /// When the pointer lifts, they finish the line and go on a little as they come out of the clay.
@@ -22,7 +22,8 @@ namespace onggi::device {
 /// touch the wall. They begin to work when the pointer, above the foot, comes out to the face, goes
 /// up or down along the wall, rests, or lifts farther in. So a stroke from the wheel's head out to
 /// the line opens the pot and never digs into it first. What counts is the pointer's distance from
-/// the axis, on either side. Main thread.
+/// the axis, on either side; a pointer that crosses the axis has the hands cross with it. Main
+/// thread.
 class PointerLead {
  public:
   /// m/s along the wall and towards the axis or away, in clay and in the air. A pointer crosses the

@@ -45,6 +45,7 @@ const std::map<std::string, Pack>& packs() {
         auto table = root.child("label").child(language);
         Label& label = pack.labels[language];
         table.text("title", label.title);
+        table.text("what", label.what);
         table.text("culture", label.culture);
         table.text("date", label.date);
         table.text("made", label.made);
@@ -130,9 +131,10 @@ TEST(ShelfPacks, every_label_is_whole_in_each_of_its_languages) {
     for (const auto& [language, label] : pack.labels) {
       SCOPED_TRACE(id + " " + language);
       for (const std::string* text :
-           {&label.title, &label.culture, &label.date, &label.made, &label.text})
+           {&label.title, &label.what, &label.culture, &label.date, &label.made, &label.text})
         EXPECT_FALSE(text->empty());
-      for (const std::string* text : {&label.title, &label.culture, &label.made, &label.text})
+      for (const std::string* text :
+           {&label.title, &label.what, &label.culture, &label.made, &label.text})
         EXPECT_EQ(has_hangul(*text), language == "ko") << *text;
       // English has it in the pack itself.
       EXPECT_EQ(has_hangul(label.credit), language == "ko") << label.credit;

@@ -86,7 +86,7 @@ TEST_F(VesselTest, a_text_that_no_screen_shows_is_said_with_its_line_and_letters
   const auto vessel = load_vessel(folder_ / "jar");
   ASSERT_TRUE(vessel);
   EXPECT_EQ(settings::letters(vessel->label("fr").title), settings::bounds::kTitle.letters);
-  for (const char* key : {"culture", "date", "made", "text", "credit"}) {
+  for (const char* key : {"what", "culture", "date", "made", "text", "credit"}) {
     const std::string said =
         with("title = \"T\"\n" + std::string(key) + " = \"" + five_thousand + "\"\n");
     EXPECT_NE(said.find("vessel.toml:20:"), std::string::npos) << said;

@@ -190,6 +190,29 @@ TEST(Score, a_groove_where_no_part_has_a_name_is_told_by_its_height) {
   EXPECT_TRUE(told);
 }
 
+TEST(Score, where_there_is_no_belly_nothing_is_said_of_a_widest_place) {
+  const auto speaks_of_it = [](const Score& s) {
+    std::vector<Remark> all = s.try_next;
+    all.insert(all.end(), s.alike.begin(), s.alike.end());
+    if (s.largest) all.push_back(*s.largest);
+    return std::any_of(all.begin(), all.end(),
+                       [](const Remark& r) { return r.key.find("belly") != std::string::npos; });
+  };
+  // A hair wider at one end, as a thrown cylinder is.
+  const auto cylinder = [](double lean) {
+    Profile p = resampled(shapes::cylinder(0.2, 0.05, 0.04, 0.01), 200);
+    for (ProfilePoint& point : p.points) point.outer += lean * (point.height - 0.1);
+    return p;
+  };
+  EXPECT_FALSE(speaks_of_it(judge(cylinder(0.01), cylinder(-0.01))));
+  EXPECT_FALSE(speaks_of_it(judge(cylinder(0.01), shapes::jar()))) << "the vessel has none";
+  const Score lump = judge(shapes::jar(), cylinder(-0.01));
+  for (const Remark& r : lump.try_next) {
+    EXPECT_NE(r.key, "remark.belly_low") << "the pot has none";
+    EXPECT_NE(r.key, "remark.belly_high");
+  }
+}
+
 TEST(Score, height_counts_only_when_size_does) {
   const Profile taller = scaled(shapes::jar(), 1.1);
   EXPECT_NEAR(judge(shapes::jar(), taller).points, 100.0, 1e-9);

@@ -67,6 +67,25 @@ TEST(ClayScreen, OneTouchOfThePotsMiddleDoesNotCutItInTwo) {
   EXPECT_LT(least, 0.9 * r) << "but it gives";
 }
 
+TEST(ClayScreen, AFingerThatGoesOnPastTheAxisHasTheHandsWithIt) {
+  Visitor v;
+  v.frames(2);
+  v.press_clay();
+  v.show();
+  const view::Camera camera = v.frame.pot->camera;
+  const auto hand = [&] {
+    for (auto h = v.wheel_commands.hands.rbegin(); h != v.wheel_commands.hands.rend(); ++h)
+      if (h->active && h->side == SideWish::outside) return h->position.x;
+    return 0.0;
+  };
+  for (const double x : {0.04, 0.01, -0.03, -0.05}) {
+    const auto [px, py] = *camera.project({x, 0.1, 0});
+    v.move(px, py);
+    v.frames(0.3);
+    EXPECT_GT(hand() * x, 0) << x;
+  }
+}
+
 TEST(ClayScreen, APotThatWasCutOffOrFellIsAFreshLumpUnderTheFinger) {
   for (const bool cut : {true, false}) {
     Visitor v;
