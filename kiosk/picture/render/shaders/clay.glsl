@@ -166,14 +166,15 @@ struct Tear {
 Tear tear_at(float u, float low, float high, float slope);  // torn.glsl
 #endif
 
-// Drying clay: ridges and fine grain dry first, so the last water goes in patches. Wet clay is
-// darker, and has a film of water.
+// Wet clay is darker and shines under an even film of water, which hides its grain. Ridges dry
+// first, so the throwing lines show while the film goes.
 Surface of_clay(float wet, float groove, float fleck) {
-  wet = clamp(wet + (0.9 * fleck + 0.35 * groove) * 4.0 * wet * (1.0 - wet), 0.0, 1.0);
+  wet = clamp(wet + 0.7 * groove * wet * (1.0 - wet), 0.0, 1.0);
+  float film = smoothstep(0.0, 0.8, wet), grain_ = fleck * (1.0 - 0.85 * film);
   Surface s;
-  s.albedo = mix(dry_color, wet_color, wet) * (1.0 + 0.16 * fleck) * (1.0 - 0.16 * groove);
-  s.roughness = mix(0.78, 0.27 + 0.12 * fleck, wet);
-  s.coat = mix(0.012, 0.045, wet);
+  s.albedo = mix(dry_color, wet_color, wet) * (1.0 + 0.16 * grain_) * (1.0 - 0.16 * groove);
+  s.roughness = mix(0.78, 0.25, film);
+  s.coat = mix(0.012, 0.045, film);
   return s;
 }
 

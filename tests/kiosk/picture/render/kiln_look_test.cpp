@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "kiosk/collection/content/glaze.h"
 #include "tests/kiosk/picture/render/studio_fixture.h"
@@ -56,6 +57,41 @@ TEST_F(KilnLook, AWetRowIsDarkerThanADryOneAndDriesBackToTheSamePicture) {
     EXPECT_GT(now, before) << left;
     before = now;
   }
+}
+
+/// How much the brightness of a wall changes from pixel to pixel on its way round, as a share.
+double unevenness(const view::Image& image, const view::Camera& camera, double height) {
+  const auto at = *camera.project({0, height, 0.06});
+  const int x = static_cast<int>(at.first), y = static_cast<int>(at.second);
+  constexpr int kHalf = 60, kAbout = 12;
+  double sum = 0.0, count = 0.0;
+  for (int dy = -20; dy <= 20; dy += 4)
+    for (int dx = -kHalf; dx <= kHalf; ++dx) {
+      double mean = 0.0;
+      for (int k = -kAbout; k <= kAbout; ++k) mean += brightness(image, x + dx + k, y + dy);
+      mean /= 2 * kAbout + 1;
+      sum += std::pow(brightness(image, x + dx, y + dy) / mean - 1.0, 2);
+      ++count;
+    }
+  return std::sqrt(sum / count);
+}
+
+// A film of water is even: clay that dries has no spots, as leather has.
+TEST_F(KilnLook, ClayIsAsEvenWetAsDry) {
+  Renderer& r = renderer();
+  put_pot(r);
+  view::Frame frame = frame_with_pot(kWidth, kHeight, 0.18, 0.06);
+  double dry = 0.0;
+  for (const double wet : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    frame.pot->wetness = wet;
+    const view::Image image = r.draw_offscreen(frame);
+    keep_for_looking(image, "wet_" + std::to_string(static_cast<int>(100 * wet)));
+    const double now = unevenness(image, frame.pot->camera, 0.09);
+    std::printf("wet %.2f: brightness changes by %.4f\n", wet, now);
+    if (wet == 0.0) dry = now;
+    EXPECT_LE(now, 1.05 * dry) << wet;
+  }
+  EXPECT_GT(dry, 0.002) << "dry clay has a grain";
 }
 
 TEST_F(KilnLook, AFiredPotIsSeenSmallerByJustWhatItShrank) {
