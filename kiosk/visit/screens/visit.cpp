@@ -38,6 +38,7 @@ void Visit::input(const InputEvent& event, double now) {
   else if (event.kind == InputEvent::Kind::key_down)
     s.key(event);
   if (s.over == Over::idle && event.kind != InputEvent::Kind::key_up) s.cover(Over::nothing);
+  if (is_key) s.uncovered = 0;  // no finger is there that could touch twice
   s.apply_pending_screen();
 }
 
@@ -234,6 +235,7 @@ void Visit::activate(const std::string& control, double now) {
   s.desk.notes.touch(NoteTaker::By::keys, now);
   s.by_keys = !s.desk.screen().one_switch;  // it has its own ring
   if (!control.empty()) s.press(control);
+  s.uncovered = 0;
   s.apply_pending_screen();
 }
 

@@ -225,7 +225,7 @@ TEST(TwoHands, WithAKeyboardItIsSaidWhoseHandTheArrowsAre) {
     v.frames(1);
     EXPECT_EQ(words_in(v.frame).find("The arrow keys move the inside hand.") != std::string::npos,
               keys);
-    EXPECT_EQ(words_in(v.frame).find("Left half") != std::string::npos, !keys);
+    EXPECT_EQ(words_in(v.frame).find("left half") != std::string::npos, !keys);
   }
 }
 
@@ -234,12 +234,12 @@ TEST(TwoHands, WithoutTheMissionTwoFingersAreBothHandsOfOneVisitor) {
   v.throw_a_pot();
   v.frames(1);
   EXPECT_FALSE(v.visit->reading().words.empty());
-  EXPECT_THAT(words_in(v.frame), Not(HasSubstr("Left half")));
+  EXPECT_THAT(words_in(v.frame), Not(HasSubstr("left half")));
 }
 
 TEST(TwoHands, SaysWhoseHalfIsWhoseAndTheResultIsBoths) {
   AtWheel v(kTwo);
-  EXPECT_THAT(words_in(v.frame), HasSubstr("Left half: the inside hand."));
+  EXPECT_THAT(words_in(v.frame), HasSubstr("the left half: the inside hand works."));
   EXPECT_FALSE(v.visit->control("throw.show")) << "that is done by both hands of one";
   v.touch("throw.done");
   v.frames(1);
@@ -263,7 +263,7 @@ TEST(TwoHands, WhoHasStrokesByButtonsIsToldThatBothHandsMakeThem) {
     press("choose.throw");
     v.frames(1);
     EXPECT_EQ(words_in(v.frame).find(kBoth) != std::string::npos, one_switch);
-    EXPECT_EQ(words_in(v.frame).find("Left half") == std::string::npos, one_switch);
+    EXPECT_EQ(words_in(v.frame).find("left half") == std::string::npos, one_switch);
     if (!one_switch) continue;
     press("throw.ask.4");
     v.frames(30);

@@ -217,7 +217,8 @@ void Visitor::touch(const std::string& control) {
   show();
   up(rect->x + rect->w / 2, rect->y + rect->h / 2);
   show();
-  if (control.ends_with(".close") || control.starts_with("language.")) frames(0.5);
+  if (control.ends_with(".close") || control.starts_with("language.") || control == "leaving.go")
+    frames(0.5);
 }
 
 void Visitor::speak(const std::string& code) {
@@ -398,7 +399,7 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.frames(v.exhibit.idle.result_after + 1);
   settled("idle");
   v.move(3, 3);
-  v.show();
+  v.frames(0.5);
   v.touch("back");
   v.touch("back");
   if (kiln) v.touch("back");
