@@ -70,6 +70,7 @@ class Looker {
     touch(control);
     look(state);
     touch(control + ".close");
+    frames(kSettled);  // for a moment it still takes the touches
   }
   bool says(const std::string& words) const {
     for (const view::Item& item : kiosk_.shown().items)
@@ -223,6 +224,10 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
   throw_pot(kiosk, looker, card);
   looker.look("result");
   looker.over("help", "result help");
+  looker.touch("result.other");
+  looker.look("leaving");
+  looker.touch("leaving.close");
+  looker.frames(kSettled);
   looker.touch("result.keep");
   if (kiosk.visit().screen() == screens::ScreenId::kiln) {
     looker.look("kiln");
@@ -247,6 +252,7 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
       "the question", [&] { return kiosk.visit().idle_warning(); }, false);
   looker.look("idle");
   looker.touch("idle.stay");
+  looker.frames(kSettled);
   looker.touch("keepsake.done");
   looker.look("attract again");
   if (looker.good()) kiosk.visit().fail({"every screen", "It is looked at.", "", 1});
@@ -271,6 +277,7 @@ Result<void> look_at_every_mission(exhibit::Kiosk& kiosk, const LookAtScreen& lo
       look_at_mission(kiosk, looker, n);
       if (described) keep_pot(kiosk, looker, name_of_kind(kind));
       looker.touch(described ? "keepsake.again" : "result.other");
+      if (!described) looker.touch("leaving.go");
       looker.frames(kSettled);
     }
   return looker.result();

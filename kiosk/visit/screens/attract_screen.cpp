@@ -5,6 +5,7 @@
 
 #include "kiosk/visit/screens/demonstration.h"
 #include "kiosk/visit/screens/gallery_page.h"
+#include "kiosk/visit/screens/label.h"
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/pot_picture.h"
 #include "kiosk/visit/screens/stroke_board.h"
@@ -58,10 +59,10 @@ class Attract final : public Screen {
   bool begins_with(const std::string& control) const override {
     return shows_ != Shows::gallery ? control != "attract.gallery" : control == "attract.begin";
   }
-  bool drag(const view::InputEvent& e, const Page& page) override {
+  bool drag(const view::InputEvent& e, const Page&) override {
     if (shows_ != Shows::gallery) return false;
     seen_at_ = desk.now;
-    return gallery_.drag(e, page);
+    return gallery_.drag(e);
   }
   void pointer(const view::InputEvent& e, const Page&) override {
     if (shows_ == Shows::gallery) gallery_.pointer(e);
@@ -131,8 +132,8 @@ class Attract final : public Screen {
     name.text(desk.say("attract.thrown"), t.body, Face::sans,
               view::with_alpha(view::kFaintInk, alpha));
     name.text(label.title, t.title, Face::serif, view::with_alpha(view::kInk, alpha));
-    name.text(label.culture, t.body, Face::sans, view::with_alpha(view::kFaintInk, alpha));
-    name.text(label.date, t.body, Face::sans, view::with_alpha(view::kFaintInk, alpha));
+    for (const std::string& line : under_title(label))
+      name.text(line, t.body, Face::sans, view::with_alpha(view::kFaintInk, alpha));
     if (unseen.overflow()) page.overflowed();
   }
 

@@ -55,6 +55,7 @@ bool CardShelf::press(const std::string& control) {
 
 void CardShelf::let_go() {
   finger_.reset();
+  beside_.reset();
   scroll_.step(0);
 }
 
@@ -64,8 +65,9 @@ void CardShelf::begin() {
   scroll_ = {};
 }
 
-bool CardShelf::drag(const view::InputEvent& e, const Page& page) {
+bool CardShelf::drag(const view::InputEvent& e) {
   using Kind = view::InputEvent::Kind;
+  if (e.kind == Kind::pointer_down) beside_.reset();
   if (!scroll_.longer_than_the_screen() || pitch_ <= 0) return false;
   const float way = desk_.words().right_to_left() ? -1.0f : 1.0f;
   if (e.kind == Kind::pointer_down) {
@@ -78,7 +80,7 @@ bool CardShelf::drag(const view::InputEvent& e, const Page& page) {
   if (e.kind == Kind::pointer_up) tapped_ = finger_.has_value();
   if (!finger_) return false;
   if (e.kind == Kind::pointer_move) {
-    if (!finger_->drags && std::abs(e.x - finger_->from) > kSlip * page.type().target) {
+    if (!finger_->drags && std::abs(e.x - finger_->from) > slip_) {
       finger_->drags = true;
       scroll_.hold();
     }
@@ -95,16 +97,32 @@ bool CardShelf::drag(const view::InputEvent& e, const Page& page) {
   return true;
 }
 
-void CardShelf::pointer(const view::InputEvent& e) {
-  if (e.kind == view::InputEvent::Kind::scroll) {
+std::string CardShelf::nearest(float x, float y) const {
+  std::string found;
+  float least = gap_;
+  for (const auto& [card, control] : touchable_) {
+    const float dx = std::max({card.x - x, x - card.x - card.w, 0.0f});
+    const float dy = std::max({card.y - y, y - card.y - card.h, 0.0f});
+    if (const float away = std::hypot(dx, dy); away < least) least = away, found = control;
+  }
+  return found;
+}
+
+std::string CardShelf::pointer(const view::InputEvent& e) {
+  using Kind = view::InputEvent::Kind;
+  if (e.kind == Kind::pointer_down) beside_.emplace(e.x, e.y);
+  if (e.kind == Kind::scroll) {
     notches_ -= static_cast<double>(e.scroll);
     const int whole = static_cast<int>(notches_);
     notches_ -= whole;
     scroll_.step(whole);
-  } else if (e.kind == view::InputEvent::Kind::pointer_up && tapped_ &&
-             peeking_.contains(e.x, e.y)) {
+  } else if (e.kind == Kind::pointer_up && tapped_ && peeking_.contains(e.x, e.y)) {
     scroll_.step(1);
+  } else if (e.kind == Kind::pointer_up && beside_) {
+    const auto [x, y] = *std::exchange(beside_, std::nullopt);
+    if (std::hypot(e.x - x, e.y - y) <= slip_) return nearest(x, y);
   }
+  return {};
 }
 
 int CardShelf::step(int from, Direction to) {
@@ -136,11 +154,14 @@ void CardShelf::watch_finger() {
 }
 
 void CardShelf::lay_out(Page& page, Column& column) {
+  touchable_.clear();
   if (cards_.count() == 0) return;
   column.into_reach();
   const TypeScale& t = page.type();
   // The type size sets how many cards stand side by side; the remaining height sets the rows.
   const float gap = t.body * 1.2f, margin = t.margin;
+  gap_ = gap;
+  slip_ = kSlip * t.target;
   const Rect whole = column.rest();
   const float narrowest = t.body * (page.where().portrait ? 10.5f : 11.0f);
   int columns = std::clamp(static_cast<int>((whole.w + gap) / (narrowest + gap)), 1,
@@ -222,11 +243,13 @@ void CardShelf::lay_out_card(Page& page, int i, const Rect& card, float picture,
   const float share = (right - left) / card.w;
   if (share <= 0) return;
   const std::string control = cards_.control(i);
-  if (share > 0.999f && !control.empty())
+  if (share > 0.999f && !control.empty()) {
     page.control({control, card, cards_.spoken(i)});
-  else if (share <= 0.999f && i / rows_ >= scroll_.first() + scroll_.shown())
+    touchable_.emplace_back(card, control);
+  } else if (share <= 0.999f && i / rows_ >= scroll_.first() + scroll_.shown()) {
     peeking_ = peeking_.w > 0 ? Rect{left, peeking_.y, right - left, card.y + card.h - peeking_.y}
                               : Rect{left, card.y, right - left, card.h};
+  }
   const float inset = page.type().gap * 0.5f;
   if (const view::PictureId shown = cards_.picture(i); shown != 0)
     page.draw(view::Picture{

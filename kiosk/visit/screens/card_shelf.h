@@ -3,6 +3,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "kiosk/picture/view/input.h"
 #include "kiosk/visit/screens/desk.h"
@@ -59,9 +61,10 @@ class CardShelf {
   bool press(const std::string& control);
   void let_go();
   /// A finger that moves along the shelf moves it; a finger that stays taps. Like Screen::drag.
-  bool drag(const view::InputEvent& e, const Page& page);
-  /// A mouse wheel's notch, or a touch on the partly visible card, moves it by one column.
-  void pointer(const view::InputEvent& e);
+  bool drag(const view::InputEvent& e);
+  /// A mouse wheel's notch, or a touch on the partly visible card, moves it by one column. Returns
+  /// the control of the nearer card if a finger tapped between two; else "".
+  std::string pointer(const view::InputEvent& e);
   /// The card beyond the last whole column that an arrow reaches; the shelf scrolls to it. -1: the
   /// arrow stays on the screen.
   int step(int from, Direction to);
@@ -92,6 +95,7 @@ class CardShelf {
   };
 
   void watch_finger();
+  std::string nearest(float x, float y) const;
   float words_of_all(Page& page, float width) const;
   void lay_out_card(Page& page, int i, const view::Rect& card, float picture, float text_height);
   std::string count_of(int from, int to) const;
@@ -107,6 +111,10 @@ class CardShelf {
   int wanted_ = 0, shown_ = -1;  ///< The card that must be visible; the last one that was.
   float pitch_ = 0;              ///< Pixels between two columns.
   view::Rect shelf_, peeking_;   ///< Area where a finger moves it; visible part of the next column.
+  /// The cards that can be touched; the space between two; and how far a tap may slip.
+  std::vector<std::pair<view::Rect, std::string>> touchable_;
+  float gap_ = 0, slip_ = 0;
+  std::optional<std::pair<float, float>> beside_;  ///< Where a finger went down between cards.
   std::optional<Finger> finger_;
   bool tapped_ = false;  ///< The lifted finger also went down here, not on an earlier screen.
   double notches_ = 0;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kiosk/visit/screens/card_shelf.h"
+#include "kiosk/visit/screens/label.h"
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/vessel_label.h"
 
@@ -55,11 +56,10 @@ class Choose final : public Screen, private CardShelf::Cards {
   }
 
   void let_go() override { shelf_.let_go(); }
-  bool drag(const view::InputEvent& e, const Page& page) override {
-    return !open() && shelf_.drag(e, page);
-  }
+  bool drag(const view::InputEvent& e, const Page&) override { return !open() && shelf_.drag(e); }
   void pointer(const view::InputEvent& e, const Page&) override {
-    if (!open()) shelf_.pointer(e);
+    if (open()) return;
+    if (const std::string nearer = shelf_.pointer(e); !nearer.empty()) press(nearer);
   }
   std::string step(const std::string& from, Direction to) override {
     const auto place = place_of(from);
@@ -99,7 +99,7 @@ class Choose final : public Screen, private CardShelf::Cards {
       name = desk.say("mission.card") + ", " + mission.mission->title_in(desk.words().code());
       return mission_of_own(mission.card) < 0 ? name + ", " + label.title : name;
     }
-    for (const std::string& more : {label.culture, label.date})
+    for (const std::string& more : {label.what, label.culture, label.date})
       if (!more.empty()) name += ", " + more;
     return name;
   }
@@ -120,7 +120,8 @@ class Choose final : public Screen, private CardShelf::Cards {
     shelf_.lay_out(page, column);
   }
 
-  /// Title in cobalt; then a vessel's culture and date, or the word for a mission and its vessel.
+  /// Title in cobalt; then what a vessel is and its culture, or the word for a mission and its
+  /// vessel.
   float words(Page& page, int index, const Rect& at, float opacity) const override {
     const TypeScale& t = page.type();
     const content::Label label = desk.label(card_at(index));
@@ -135,8 +136,8 @@ class Choose final : public Screen, private CardShelf::Cards {
       return lines.height();
     }
     lines.add(label.title, Face::serif, t.body * 1.12f, view::kCobalt);
-    lines.add(label.culture, Face::sans, t.body, view::kFaintInk);
-    lines.add(label.date, Face::sans, t.body, view::kFaintInk);
+    for (const std::string& line : under_title(label))
+      lines.add(line, Face::sans, t.body, view::kFaintInk);
     return lines.height();
   }
 

@@ -19,6 +19,7 @@ void Desk::forget() {
   card = mission = -1;
   offered.reset();
   figures.reset();
+  touched = false;
   made = {};
   score = {};
   exactly = false;
@@ -120,6 +121,11 @@ void Desk::judge(const ShelfCard& answered) {
   notes.judged(score.points);
 }
 
+void Desk::touch_pot() {
+  touched = true;
+  kept = Kept::not_asked;
+}
+
 void Desk::keep_pot() {
   if (kept != Kept::not_asked && kept_glaze_ == glaze) return;
   requests.emplace_back(MakeKeepsake{card, score, made, glaze});
@@ -135,6 +141,7 @@ void Desk::start_pot(int index, bool scripted, const std::string& script) {
   requests.emplace_back(StartPot{index, scripted, script});
   if (!scripted) notes.pot();
   figures.reset();
+  touched = false;
   awaited_ = status.scene_serial;
 }
 

@@ -43,6 +43,7 @@ class Desk {
   int mission = -1;                       ///< Index in the world's missions, if one was chosen.
   std::optional<LabelAt> offered;         ///< The shelf opens with this label.
   std::optional<score::Figures> figures;  ///< Current figures of a pot that answers a description.
+  bool touched = false;  ///< A hand of the visitor has been at the pot that is on the wheel.
   Profile made;
   score::Score score;
   bool exactly = false;  ///< The visitor asked for figures at the result.
@@ -110,6 +111,9 @@ class Desk {
 
   /// Stores the pot on the wheel, which is paused, as the visitor's answer to `card`.
   void judge(const ShelfCard& card);
+  /// A hand of the visitor is at the pot: from now on there is something to lose.
+  void touch_pot();
+  bool unkept() const { return touched && kept == Kept::not_asked; }
   /// Requests the keepsake, once for each pot and glaze.
   void keep_pot();
   /// Requests a fresh lump; pot_ready() is false until it is on the wheel.

@@ -22,7 +22,7 @@ class GalleryPage final : private CardShelf::Cards {
 
   void update(double dt) { shelf_.update(dt); }
   bool press(const std::string& control) { return shelf_.press(control); }
-  bool drag(const view::InputEvent& e, const Page& page) { return shelf_.drag(e, page); }
+  bool drag(const view::InputEvent& e) { return shelf_.drag(e); }
   void pointer(const view::InputEvent& e) { shelf_.pointer(e); }
   void let_go() { shelf_.let_go(); }
   /// Starts with the newest.

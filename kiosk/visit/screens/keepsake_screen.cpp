@@ -29,9 +29,7 @@ class Keepsake final : public Screen {
     gallery_.update(dt);
     if (open_ && !gallery_.any()) turn_to(false);
   }
-  bool drag(const view::InputEvent& e, const Page& page) override {
-    return open_ && gallery_.drag(e, page);
-  }
+  bool drag(const view::InputEvent& e, const Page&) override { return open_ && gallery_.drag(e); }
   void pointer(const view::InputEvent& e, const Page&) override {
     if (open_) gallery_.pointer(e);
   }

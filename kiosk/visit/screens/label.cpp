@@ -23,6 +23,11 @@ std::string label_line(const content::Label& label, const content::Language& lan
   return language.say("all.list", {{"first", label.culture}, {"second", label.date}});
 }
 
+std::array<std::string, 2> under_title(const content::Label& label) {
+  if (label.what.empty()) return {label.culture, label.date};
+  return {label.what, label.culture};
+}
+
 std::string centimetres(double metres, const content::Language& language) {
   const auto tenths = static_cast<long>(std::lround(metres * 1000.0));
   std::string text = std::to_string(tenths / 10);

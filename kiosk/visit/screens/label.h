@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,10 @@ namespace onggi::screens {
 
 /// "Korea, Joseon dynasty, 18th century": the available parts as a list in `language`.
 std::string label_line(const content::Label& label, const content::Language& language);
+
+/// What stands below a title where there is little room: what it is and whose it was. Of a vessel
+/// that does not say what it is: whose it was, and when.
+std::array<std::string, 2> under_title(const content::Label& label);
 
 /// Metres as centimetres, with one decimal if it is not zero: "30.5", in German "30,5".
 std::string centimetres(double metres, const content::Language& language);

@@ -59,6 +59,11 @@ std::string LessonLine::by_keys(const Desk& desk, DoneWhen until) {
                   {{"out", left ? "←" : "→"}, {"in", left ? "→" : "←"}});
 }
 
+bool LessonLine::leaves_off(const Desk& desk) {
+  const LessonStep* step = shown(desk);
+  return step == nullptr || step->until == DoneWhen::cut;
+}
+
 void LessonLine::skip(Desk& desk) {
   if (desk.world.lesson != nullptr) desk.lesson_step = desk.world.lesson->size();
 }

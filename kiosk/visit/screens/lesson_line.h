@@ -18,6 +18,8 @@ class LessonLine {
   /// The step to show now; null if there is none or the lesson is over.
   static const content::LessonStep* shown(const Desk& desk);
   static void skip(Desk& desk);
+  /// The lesson is over, or asks to end the pot.
+  static bool leaves_off(const Desk& desk);
   /// What the arrow keys do for a step, in the desk's language.
   static std::string by_keys(const Desk& desk, content::DoneWhen until);
 

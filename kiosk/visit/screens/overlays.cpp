@@ -68,6 +68,20 @@ void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& 
   second.text(keys, t.body, Face::sans, view::kFaintInk);
 }
 
+void lay_out_leaving(Page& page, const Desk& desk) {
+  const TypeScale& t = page.type();
+  Column column(page, page.where().page);
+  column.foot_buttons(reading_buttons(desk));
+  column.foot_space(t.gap);
+  column.space(page.where().page.h * 0.12f);
+  column.text(desk.say("leaving.title"), t.display, Face::serif);
+  column.space(t.gap);
+  column.text(desk.say("leaving.text"), t.lead);
+  column.space(t.gap * 2);
+  column.buttons({{"leaving.close", desk.say("leaving.close"), Look::solid},
+                  {"leaving.go", desk.say("leaving.go"), Look::outline}});
+}
+
 void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown) {
   const TypeScale& t = page.type();
   Column column(page, page.where().page);

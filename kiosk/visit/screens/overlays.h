@@ -19,6 +19,8 @@ std::vector<Button> globe(const Desk& desk);
 /// An overlay, which replaces the screen's words.
 void lay_out_help(Page& page, const Desk& desk, const std::vector<std::string>& paragraphs,
                   const std::string& keys);
+/// The question before a pot that is not kept is given up.
+void lay_out_leaving(Page& page, const Desk& desk);
 void lay_out_idle(Page& page, const Desk& desk, double seconds_left, double countdown);
 
 }  // namespace onggi::screens

@@ -109,6 +109,11 @@ void Page::button(const Button& button, const Rect& rect) {
       case Look::plain:
         ink = view::kInk;
         break;
+      case Look::resting:
+        ink = view::kFaintInk;
+        draw(view::Box{
+            rect, radius, {0, 0, 0, 0}, type().hairline, view::with_alpha(view::kFaintInk, 0.5f)});
+        break;
       case Look::solid:
         ink = view::kPlaster;
         draw(view::Box{rect, radius, held ? view::kHeldCobalt : view::kCobalt, 0, {}});
@@ -354,7 +359,7 @@ void Column::foot_grid(const std::vector<Button>& cells, float height, bool mirr
   const std::size_t rows = (std::max<std::size_t>(1, cells.size()) + abreast - 1) / abreast;
   foot_ -= static_cast<float>(rows) * (tall + gap) - gap;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cells[i].id.empty()) continue;
+    if (cells[i].id.empty() && cells[i].look != Look::resting) continue;
     const std::size_t place = mirrored ? abreast - 1 - i % abreast : i % abreast;
     page_.button(cells[i], {box_.x + static_cast<float>(place) * (width + gap),
                             foot_ + static_cast<float>(i / abreast) * (tall + gap), width, tall});

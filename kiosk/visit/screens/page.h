@@ -37,6 +37,7 @@ enum class Look {
   called,   ///< An outline with a tint: it would help now.
   solid,    ///< The main step onward: at most one on a screen.
   plain,    ///< Words among buttons; cannot be pressed.
+  resting,  ///< A button that has nothing to do yet, at its place; cannot be pressed.
 };
 
 struct Button {
@@ -149,8 +150,8 @@ class Column {
                float caption_width = 0);
   void foot_buttons(std::vector<Button> row);
   /// Buttons of equal width and at least `height`, side by side if their words fit: all in a row,
-  /// half of them, or one. A button without an id keeps its place and is not drawn. `mirrored`:
-  /// from the far side.
+  /// half of them, or one. A button without an id keeps its place and is not drawn, unless it
+  /// rests. `mirrored`: from the far side.
   void foot_grid(const std::vector<Button>& cells, float height, bool mirrored);
   /// How many of them fit side by side in foot_grid().
   std::size_t abreast(const std::vector<Button>& cells) const;

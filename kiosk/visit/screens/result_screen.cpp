@@ -1,6 +1,7 @@
 #include "kiosk/visit/screens/result_screen.h"
 
 #include <algorithm>
+#include <span>
 
 #include "kiosk/collection/score/in_words.h"
 #include "kiosk/visit/screens/onward.h"
@@ -53,7 +54,7 @@ class Result final : public Screen {
   }
 
   void lay_out(Page& page) override {
-    if (both_) both_->lay_out(page, desk);
+    if (both_) both_->lay_out(page, desk, said());
     const view::Rect& room = both_ ? both_->room() : page.where().pot;
     const std::string arrows = desk.screen().one_switch ? "" : desk.say("result.turn_how");
     page.control({kTurn, room, desk.say("result.turn"), {}, arrows, true});
@@ -80,8 +81,8 @@ class Result final : public Screen {
     column.space(t.gap);
     remarks(column, t, "mission.asked", desk.score.asked, desk.score.asked.size());
     if (both_ && !desk.exactly) {
-      for (const auto* said : {&desk.score.alike, &desk.score.try_next})
-        if (!said->empty()) column.text(desk.said(score::in_words(said->front())), t.lead);
+      for (const auto* all : {&desk.score.alike, &desk.score.try_next})
+        if (!all->empty()) column.text(desk.said(score::in_words(all->front())), t.lead);
     } else {
       remarks(column, t, "result.alike", desk.score.alike);
       if (!desk.score.try_next.empty()) column.space(t.gap);
@@ -112,11 +113,19 @@ class Result final : public Screen {
     }
   }
   void back() override { desk.go(ScreenId::throwing); }
+  bool leaves_pot(const std::string& control) const override {
+    return control == "result.again" || control == "result.other" || control == "result.onward";
+  }
   std::vector<std::string> help() const override {
     return {desk.say(both_ ? help_key() : "help.result_measured")};
   }
 
  private:
+  /// What the words ask to try.
+  std::span<const score::Remark> said() const {
+    const auto& all = desk.score.try_next;
+    return {all.data(), std::min(all.size(), desk.exactly ? kMostRemarks : 1)};
+  }
   double own_speed() const { return desk.screen().left_handed ? -kAlone : kAlone; }
   void remarks(Column& column, const TypeScale& t, const std::string& heading,
                const std::vector<score::Remark>& all, std::size_t most = kMostRemarks) const {

@@ -29,6 +29,8 @@ class Screen {
   /// A finger went down on a control; press() follows if it lifts there.
   virtual void hold(const std::string& /*control*/) {}
   virtual void back() = 0;
+  /// True if this control, or "back", gives up the pot on the wheel for good.
+  virtual bool leaves_pot(const std::string& /*control*/) const { return false; }
   /// Attract: a touch on `control` (or nowhere: "") begins a visit.
   virtual bool begins_with(const std::string& /*control*/) const { return true; }
   /// Attract: the touch or key that begins the visit; goes to its first screen.

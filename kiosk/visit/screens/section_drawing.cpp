@@ -107,7 +107,7 @@ void draw_pots_line(Page& page, const Points& points) {
 }
 
 void draw_section(Page& page, const view::Rect& room, const Profile& vessel, const Profile& pot,
-                  double pixels_per_metre, const std::vector<score::Remark>& tries) {
+                  double pixels_per_metre, std::span<const score::Remark> tries) {
   const double height = std::max(vessel.height(), pot.height());
   const double radius = std::max(vessel.points.empty() ? 0.0 : vessel.max_radius(),
                                  pot.points.empty() ? 0.0 : pot.max_radius());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "kiosk/collection/score/score.h"
@@ -17,6 +18,6 @@ void draw_pots_line(Page& page, const std::vector<std::pair<float, float>>& poin
 /// as `room` allows, at most `pixels_per_metre`, on the room's lower edge. Beside the view, an
 /// arrow for each of `tries` that is seen somewhere points from the pot's line to the vessel's.
 void draw_section(Page& page, const view::Rect& room, const Profile& vessel, const Profile& pot,
-                  double pixels_per_metre, const std::vector<score::Remark>& tries);
+                  double pixels_per_metre, std::span<const score::Remark> tries);
 
 }  // namespace onggi::screens

@@ -133,7 +133,7 @@ void SideBySide::name(Page& page, const Rect& over, float top, const std::string
   page.words({over.x, top + gap, over.w, size.height}, words, style, view::kInk);
 }
 
-void SideBySide::lay_out(Page& page, const Desk& desk) {
+void SideBySide::lay_out(Page& page, const Desk& desk, std::span<const score::Remark> tries) {
   const ShelfCard* card = desk.shelf_card(desk.card);
   const Places at = places(page, desk);
   half_turn_ = at.vessel.w;
@@ -147,7 +147,7 @@ void SideBySide::lay_out(Page& page, const Desk& desk) {
   name(page, at.vessel, at.names, desk.label(desk.card).title, false);
   name(page, at.pot, at.names, desk.say("result.yours"), true);
   draw_section(page, at.section, card != nullptr ? card->target : Profile{}, desk.made, at.scale,
-               desk.score.try_next);
+               tries);
 }
 
 view::PotView SideBySide::view(view::PotView pot, const Desk& desk, const Turntable& table) const {

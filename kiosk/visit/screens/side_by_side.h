@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "kiosk/visit/screens/desk.h"
 #include "kiosk/visit/screens/page.h"
 #include "kiosk/visit/screens/turntable.h"
@@ -15,8 +17,9 @@ class SideBySide {
   explicit SideBySide(const Desk& desk);
 
   void update(const Desk& desk, const Turntable& table, double dt);
-  /// Lays out names and drawing beside or above the words, and finds the cameras.
-  void lay_out(Page& page, const Desk& desk);
+  /// Lays out names and drawing beside or above the words, and finds the cameras. `tries`: what
+  /// the words ask to try; the drawing has an arrow for each.
+  void lay_out(Page& page, const Desk& desk, std::span<const score::Remark> tries);
   /// Draws `pot` in its place, with the vessel beside it.
   view::PotView view(view::PotView pot, const Desk& desk, const Turntable& table) const;
   /// The area of both, and the finger's way for half a turn there, pixels.

@@ -23,6 +23,7 @@ std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   for (const std::string& key : FaultNote::keys()) all.push_back(desk.say(key));
   for (const std::string& key : DeviceNews::keys()) all.push_back(desk.say(key));
   for (const char* key : ShowMe::kKeys) all.push_back(desk.say(key));
+  all.push_back(desk.say(kClayFirst));
   if (desk.world.lesson != nullptr)
     for (const content::LessonStep& step : *desk.world.lesson) {
       all.push_back(step.words_in(desk.words().code()));
@@ -66,7 +67,7 @@ float longest_telling(const Page& page, const Desk& desk, float width) {
 }
 
 void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const Hint& hint,
-                     bool by_keys) {
+                     bool by_keys, const std::string& news) {
   Page& page = column.page();
   const TypeScale& t = page.type();
   const view::Rect room = column.rest();
@@ -77,7 +78,6 @@ void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const
   if (longest > room.h) page.overflowed();
 
   const content::LessonStep* step = LessonLine::shown(desk);
-  const std::string& news = desk.note();
   const bool told = !news.empty();
   Column sentence(page, words);
   sentence.text(told              ? desk.say(news)

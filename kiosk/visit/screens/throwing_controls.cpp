@@ -40,7 +40,7 @@ Button tools_button(const Desk& desk, const ThrowingControls& now) {
 
 /// The buttons to the drawers, or back.
 std::vector<Button> ways(const Desk& desk, const ThrowingControls& now) {
-  if (now.drawer != Drawer::closed) return {{kCloseWay, desk.say(kCloseWay), Look::outline}};
+  if (now.drawer != Drawer::closed) return {{kCloseWay, desk.say(kCloseWay), Look::solid}};
   std::vector<Button> both{{kWheelWay, desk.say(kWheelWay), Look::outline}};
   // Two visitors with bare hands have nothing to choose.
   if (!desk.wheel().tools.empty() || !desk.two_hands())
@@ -61,8 +61,8 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
   };
   if (happened) {
     const bool fell = now.mishap == Mishap::fell;
-    add("throw.restore", fell ? "throw.before_fall" : "throw.before_tear", Look::solid,
-        desk.status.can_restore);
+    add("throw.restore", fell ? "throw.before_fall" : "throw.before_tear",
+        now.drawer == Drawer::closed ? Look::solid : Look::outline, desk.status.can_restore);
   } else {
     const bool blinks = now.dry && std::fmod(desk.now, kBlink) < kBlink / 2;
     add("throw.water", "throw.water",
@@ -74,21 +74,36 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
     if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
       add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
   }
-  add("throw.done", "throw.done", happened || !now.touched ? Look::outline : Look::solid, true);
-  // Items that come and go are last, in reserved places.
-  if (!happened) add("throw.restore", "throw.restore", Look::outline, now.restore);
+  add("throw.done", "throw.done", now.onward ? Look::solid : Look::outline, true);
+  if (!happened)
+    add("throw.restore", "throw.restore", now.restore ? Look::outline : Look::resting, now.restore);
   column.foot_grid(cells, page.type().target * kMostUsed, page.where().mirrored);
   column.foot_space(page.type().gap);
 }
 
-/// The drawers' buttons, or back, and the buttons of every screen.
-void standing_with(Column& column, const Desk& desk, const std::vector<Button>& on) {
-  std::vector<Button> row = standing_buttons(desk, true);
-  // In portrait one row holds everything.
-  if (column.page().where().portrait) row.insert(row.begin(), on.begin(), on.end());
-  column.foot_buttons(row);
+std::vector<Button> in_a_row(std::vector<Button> first, const std::vector<Button>& then) {
+  first.insert(first.end(), then.begin(), then.end());
+  return first;
+}
+
+/// True if `row` needs a single line at the foot of `column`.
+bool one_row(const Column& column, const std::vector<Button>& row) {
+  Page unseen = column.page();
+  Column trial(unseen, column.rest());
+  trial.foot_buttons(row);
+  return column.rest().h - trial.rest().h < 2 * unseen.type().target;
+}
+
+/// The drawers' buttons, or back, and the buttons of every screen. `together`: in one row.
+void standing_with(Column& column, const Desk& desk, const std::vector<Button>& on, bool together) {
+  const std::vector<Button> links = standing_buttons(desk, true);
+  column.foot_buttons(together ? in_a_row(on, links) : links);
   column.foot_space(column.page().type().gap);
-  if (column.page().where().portrait || on.empty()) return;
+  if (together || on.empty()) return;
+  if (column.page().where().portrait) {
+    column.foot_buttons(on);
+    return column.foot_space(column.page().type().gap);
+  }
   // As wide as the buttons above, if both fit.
   if (column.abreast(on) == 2)
     column.foot_grid(on, column.page().type().target, column.page().where().mirrored);
@@ -101,13 +116,19 @@ void standing_with(Column& column, const Desk& desk, const std::vector<Button>& 
 /// stays at its place.
 void standing(Column& column, const Desk& desk, const ThrowingControls& now) {
   // The board shows the drawers' buttons among the strokes, and a drawer shows back.
-  if (now.board) return standing_with(column, desk, {});
+  if (now.board) return standing_with(column, desk, {}, false);
   Page unseen = column.page();
   Column other(unseen, column.rest());
   ThrowingControls then = now;
   then.drawer = now.drawer == Drawer::closed ? Drawer::tools : Drawer::closed;
-  standing_with(other, desk, ways(desk, then));
-  standing_with(column, desk, ways(desk, now));
+  // In portrait one row holds everything, if it can with the drawers closed and open: links that
+  // went to and fro between two rows would be hard to find.
+  const std::vector<Button> links = standing_buttons(desk, true);
+  const bool together = column.page().where().portrait &&
+                        one_row(column, in_a_row(ways(desk, now), links)) &&
+                        one_row(column, in_a_row(ways(desk, then), links));
+  standing_with(other, desk, ways(desk, then), together);
+  standing_with(column, desk, ways(desk, now), together);
   column.foot_space(std::max(0.0f, column.rest().h - other.rest().h));
 }
 
@@ -246,7 +267,7 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
 /// hints are for hands that draw; here the sentence names the most different part, or gives the
 /// advice.
 std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
-  if (!desk.note().empty()) return desk.say(desk.note());
+  if (!now.news.empty()) return desk.say(now.news);
   if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
   if (desk.described() != nullptr) return StrokeBoard::advice(desk);
   if (desk.two_hands() && !now.board->begun()) return desk.say("mission.by_buttons");
@@ -416,7 +437,7 @@ void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now,
                               sentence_of(desk, now, hint));
   heading(column, desk, now);
   if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);
-  lay_out_telling(column, desk, show, hint, now.by_keys);
+  lay_out_telling(column, desk, show, hint, now.by_keys, now.news);
 }
 
 }  // namespace onggi::screens

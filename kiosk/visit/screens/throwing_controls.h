@@ -27,7 +27,8 @@ struct ThrowingControls {
   device::Grip grip = device::Grip::both;
   bool water = false, cut = false;
   bool dry = false;      ///< Water would help now: its button blinks.
-  bool touched = false;  ///< The visitor has touched this pot: before it, Done is no step onward.
+  bool onward = false;   ///< Done is what a visitor wants most: the clay was touched, and neither
+                         ///< the lesson nor a drawer wants something else.
   bool restore = false;  ///< A stroke can be undone.
   Button show = {};
   bool skip = false;  ///< A lesson can be skipped.
@@ -37,7 +38,8 @@ struct ThrowingControls {
   const StrokeBoard* board = nullptr;  ///< Strokes by buttons, and the questions about them.
   std::vector<PartOff> parts = {};
   bool working = false;
-  bool by_keys = false;  ///< The visitor last used the keyboard.
+  bool by_keys = false;   ///< The visitor last used the keyboard.
+  std::string news = {};  ///< Language key of a notice that replaces the hint; "": none.
 };
 
 /// The control that a key presses at the wheel, visible or not; null: none. `repeats`: again and

@@ -13,8 +13,10 @@
 #include "kiosk/visit/screens/show_me.h"
 #include "kiosk/visit/screens/stroke_board.h"
 #include "kiosk/visit/screens/target_line.h"
+#include "kiosk/visit/screens/telling.h"
 #include "kiosk/visit/screens/throwing_controls.h"
 #include "kiosk/visit/screens/tool_tray.h"
+#include "kiosk/visit/screens/touched_clay.h"
 #include "kiosk/visit/screens/water_button.h"
 #include "kiosk/visit/screens/wheel_hands.h"
 #include "kiosk/visit/screens/wheel_speed.h"
@@ -40,7 +42,7 @@ class Throwing final : public Screen {
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
     if (!by_buttons()) return "";
-    const bool shows = !touched_ && aim() != nullptr && !dark() && !hands_.two();
+    const bool shows = !desk.touched && aim() != nullptr && !dark() && !hands_.two();
     const char* usual = !menu_ ? StrokeBoard::kFirst : shows ? "throw.show" : "throw.done";
     return drawer_ != Drawer::closed ? "throw.less" : mishap_ ? "throw.restore" : usual;
   }
@@ -74,7 +76,7 @@ class Throwing final : public Screen {
       send_hand();
     }
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
-    touched_ = touched_ || contact;
+    clay_.look(desk, contact);
     water_.look(contact, desk.status.feedback.wetness, dt);
     if (desk.pot_ready() && !mishap_)
       lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
@@ -82,7 +84,7 @@ class Throwing final : public Screen {
     // Say nothing about the previous pot.
     if (desk.pot_ready())
       hint_.update(desk.now,
-                   {target, &picture_.made(), speed_.asked() > 0.5, grip_, touched_,
+                   {target, &picture_.made(), speed_.asked() > 0.5, grip_, desk.touched,
                     water_.asked_for(), desk.wheel().tool_radius, MeasuredPot::hint(desk)});
   }
 
@@ -114,22 +116,24 @@ class Throwing final : public Screen {
 
   void lay_out(Page& page) override {
     const bool whole = !mishap_;
-    const ThrowingControls now{speed_.asked(),
-                               grip(),
-                               water_.wet(),
-                               cut_,
-                               water_.would_help(),
-                               touched_,
-                               desk.status.can_restore && whole,
-                               show_.button(desk, aim() == nullptr || dark() || hands_.two()),
-                               whole && LessonLine::shown(desk) != nullptr,
-                               drawer_,
-                               held_,
-                               mishap_.now(),
-                               StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
-                               parts(),
-                               working(),
-                               by_keys_};
+    const ThrowingControls now{
+        speed_.asked(),
+        grip(),
+        water_.wet(),
+        cut_,
+        water_.would_help(),
+        desk.touched && whole && drawer_ == Drawer::closed && LessonLine::leaves_off(desk),
+        desk.status.can_restore && whole,
+        show_.button(desk, aim() == nullptr || dark() || hands_.two()),
+        whole && LessonLine::shown(desk) != nullptr,
+        drawer_,
+        held_,
+        mishap_.now(),
+        StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
+        parts(),
+        working(),
+        by_keys_,
+        clay_.asked_for(desk) ? kClayFirst : desk.note()};
     give_the_pot_its_room(page, desk, now);
     camera_ = picture_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card);
@@ -157,9 +161,11 @@ class Throwing final : public Screen {
       cut_chosen_ = true;
     } else if (control == "throw.renew") {
       let_go();
+      clay_.renewed(desk);
       desk.world.wheel_commands->renew();
     } else if (control == "throw.restore") {
       let_go();
+      clay_.undone(desk);
       mishap_.go_back(desk);
     } else if (control == "throw.show") {
       if (held_ > 0) take_up(0);
@@ -173,7 +179,7 @@ class Throwing final : public Screen {
     } else if (control == "throw.skip") {
       LessonLine::skip(desk);
     } else if (control == "throw.done") {
-      finish();
+      if (clay_.comes_first(desk)) finish();
     } else if (const auto ask = board_.press(control)) {
       make_stroke(*ask);
     } else if (const auto tool = ToolTray::of_control(control)) {
@@ -204,6 +210,10 @@ class Throwing final : public Screen {
     } else {
       desk.go(ScreenId::choose);
     }
+  }
+  bool leaves_pot(const std::string& control) const override {
+    return control == "back" && drawer_ == Drawer::closed && !menu_ &&
+           (!hands_.active() || hands_.grabbed());
   }
 
   void pointer(const InputEvent& e, const Page& page) override {
@@ -314,6 +324,7 @@ class Throwing final : public Screen {
     show_pot();
     const WallHold::Part fine{0, wheel.tool_radius};
     if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
+      if (!clay_.comes_first(desk)) return;
       desk.world.wheel_commands->wheel(0);
       set_water(false);
       cut_off_.emplace(*wheel.wire);
@@ -379,6 +390,7 @@ class Throwing final : public Screen {
   }
 
   PotPicture picture_;
+  TouchedClay clay_;
   HintLine hint_;
   MishapWatch mishap_;
   WheelHands hands_;
@@ -393,8 +405,8 @@ class Throwing final : public Screen {
   WheelSpeed speed_;
   MeasuredPot measured_;
   Grip grip_ = Grip::both;
-  bool cut_ = false, cut_chosen_ = false, touched_ = false, menu_ = false, done_ = false,
-       by_keys_ = false, worked_ = false;
+  bool cut_ = false, cut_chosen_ = false, menu_ = false, done_ = false, by_keys_ = false,
+       worked_ = false;
   int strokes_ = 0;  ///< Finished strokes.
   double inside_until_ = -1;
   std::uint32_t serial_ = 0;

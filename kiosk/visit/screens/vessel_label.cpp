@@ -104,6 +104,7 @@ void VesselLabel::lay_out(Page& page) {
   column.foot_space(t.gap * 1.5f);
   const std::string& code = desk_.words().code();
   column.text(mission != nullptr ? mission->title_in(code) : label.title, t.title, Face::serif);
+  if (mission == nullptr) column.text(label.what, t.lead);
   std::string line = label_line(label, desk_.words());
   std::vector<std::string> paragraphs{label.text, label.made};
   if (mission != nullptr) {

@@ -13,6 +13,7 @@ using view::InputEvent;
 
 namespace {
 constexpr double kFade = 0.3;         // s
+constexpr double kCalm = 0.4;         // s that a page which has closed still takes the touches
 constexpr double kLookedAway = 60.0;  // s that an overlay and another language stay on over attract
 constexpr double kStepsToAct = 40, kStepsToStay = 10;  // times the switch's time for an item
 constexpr double kDeviceMoved = 0.002;                 // m: more than a resting device trembles
@@ -37,6 +38,7 @@ void Visit::input(const InputEvent& event, double now) {
   else if (event.kind == InputEvent::Kind::key_down)
     s.key(event);
   if (s.over == Over::idle && event.kind != InputEvent::Kind::key_up) s.cover(Over::nothing);
+  if (is_key) s.uncovered = 0;  // no finger is there that could touch twice
   s.apply_pending_screen();
 }
 
@@ -98,6 +100,7 @@ view::Frame Visit::frame(int width, int height) {
   s.measuring.begin_frame();
   s.keep_focus();
   s.lay_out_fitting(width, height);
+  if (s.uncovered > 0 && --s.uncovered == 0) s.calm_until = s.desk.now + kCalm;
   const std::string was = s.focused;
   s.keep_focus();
   if (s.focused != was) s.lay_out_fitting(width, height);
@@ -195,6 +198,7 @@ ScreenText Visit::reading() const {
   r.over = s.over == Over::help        ? "help"
            : s.over == Over::comfort   ? "comfort"
            : s.over == Over::languages ? "languages"
+           : s.over == Over::leaving   ? "leaving"
            : s.over == Over::idle      ? "idle"
                                        : "";
   r.language = &s.desk.words();
@@ -231,6 +235,7 @@ void Visit::activate(const std::string& control, double now) {
   s.desk.notes.touch(NoteTaker::By::keys, now);
   s.by_keys = !s.desk.screen().one_switch;  // it has its own ring
   if (!control.empty()) s.press(control);
+  s.uncovered = 0;
   s.apply_pending_screen();
 }
 

@@ -197,7 +197,8 @@ class Visit {
   ///   fault     "fault.on"
   ///   gallery   "gallery.next", "gallery.previous" (in attract and keepsake)
   ///   over any  "help", "help.close", "comfort", "comfort.close", "comfort.CHOICE" (Comfort),
-  ///             "language" (the globe), "language.CODE", "language.close", "idle.stay", "back"
+  ///             "language" (the globe), "language.CODE", "language.close", "idle.stay", "back",
+  ///             "leaving.close", "leaving.go" (the question before an unkept pot is given up)
   /// Nothing if it is not on the screen. A control acts when the pointer lifts on it.
   std::optional<view::Rect> control(const std::string& id) const;
   /// True if this finger or key would press the clay.

@@ -45,6 +45,10 @@ void Visit::State::apply_pending_screen() {
 
 void Visit::State::cover(Over what) {
   if (over == what) return;
+  const bool closes = what == Over::nothing || (over == Over::languages && what == under_languages);
+  // Touches that came while a slow machine drew the first frame were made before it was seen.
+  uncovered = closes ? 2 : 0;
+  calm_until = 0;
   over = what;
   if (what != Over::nothing) screen->let_go();
   changed();
@@ -63,8 +67,18 @@ void Visit::State::press(const std::string& control) {
     screen->comforted();
     return reworded();
   }
-  if (control == "help.close" || control == "comfort.close" || control == "idle.stay")
+  if (control == "help.close" || control == "comfort.close" || control == "idle.stay" ||
+      control == "leaving.close")
     return cover(Over::nothing);
+  if (over == Over::nothing && desk.unkept() && screen->leaves_pot(control)) {
+    leaving = control;
+    return cover(Over::leaving);
+  }
+  if (control == "leaving.go") {
+    desk.touched = false;
+    cover(Over::nothing);
+    return press(leaving);
+  }
   if (control == "back")
     screen->back();
   else
@@ -113,12 +127,16 @@ void Visit::State::pointer(const InputEvent& e) {
     by_keys = false;
     focused.clear();
   }
+  // Nobody means what they have not seen yet.
+  if (e.kind == Kind::pointer_down) swallowed = uncovered > 0 || desk.now < calm_until;
+  if (swallowed) return;
   const std::string on = e.kind == Kind::pointer_down || e.kind == Kind::pointer_up
                              ? control_at(e.x, e.y)
                              : std::string();
   if (over == Over::idle) {
     // Any touch means "I am here". Apart from that, only the controls for legibility act.
     if (e.kind != Kind::pointer_down) return;
+    swallowed = true;
     if (on == "language") open_languages();
     if (on == "comfort") open_comfort();
     return;
@@ -219,6 +237,7 @@ std::string Visit::State::first_control() const {
   return over == Over::help        ? "help.close"
          : over == Over::comfort   ? first_comfort()
          : over == Over::languages ? language_control(desk.words())
+         : over == Over::leaving   ? "leaving.close"
          : over == Over::idle      ? "idle.stay"
                                    : screen->first_focus();
 }
@@ -263,6 +282,9 @@ Page Visit::State::lay_out(int width, int height, const GiveWay& gives) {
       break;
     case Over::languages:
       lay_out_languages(made, desk);
+      break;
+    case Over::leaving:
+      lay_out_leaving(made, desk);
       break;
     case Over::idle:
       lay_out_idle(made, desk, idle.seconds_left(), idle.countdown());

@@ -10,7 +10,7 @@
 
 namespace onggi::screens {
 
-enum class Over { nothing, help, comfort, languages, idle };
+enum class Over { nothing, help, comfort, languages, leaving, idle };
 
 /// The inside of a visit: the current screen, its overlay, the keyboard's place.
 struct Visit::State {
@@ -24,6 +24,10 @@ struct Visit::State {
   IdleWatch idle;
   Over over = Over::nothing;
   Over under_languages = Over::nothing;  ///< What the page of languages covers.
+  std::string leaving;     ///< The control that waits for the answer, whether the pot may go.
+  int uncovered = 0;       ///< Frames until what a closed page covered has been seen.
+  double calm_until = 0;   ///< A touch before it was meant for the page that closed,
+  bool swallowed = false;  ///< as was the finger that is down.
   bool by_keys = false, wanders = false;
   std::string focused, pressed;
   std::uint64_t serial = 1;

@@ -77,6 +77,10 @@ TEST_F(HeardKiosk, AKilnThatBurnsAtClosingTimeIsSilentInTheDark) {
   press("choose.throw");
   for (int n = 0; n < 5000 && !kiosk_->visit().sight(); ++n) frame();
   for (int n = 0; n < 100; ++n) frame();
+  press("throw.show");  // there must be a pot to call done
+  const auto touched = [&] { return kiosk_->wheel_host().status().feedback.hand[0].contact; };
+  for (int n = 0; n < 5000 && !touched(); ++n) frame();
+  frame();
   press("throw.done");
   press("result.keep");
   ASSERT_EQ(kiosk_->visit().screen(), ScreenId::kiln);

@@ -42,6 +42,12 @@ class WholeKiosk : public OneJar {
     kiosk_->visit().activate(control, now_);
     frame();
   }
+  /// The beginning of a stroke, so that there is a pot to call done.
+  void touch_clay() {
+    press("throw.show");
+    until([&] { return kiosk_->wheel_host().status().feedback.hand[0].contact; });
+    frame();
+  }
   /// From attract to a pot whose keepsake is on its way, by a hand of its choice. `last`: what is
   /// done before the frame that makes the keepsake.
   void ask_to_keep_a_pot(
@@ -56,6 +62,7 @@ class WholeKiosk : public OneJar {
     press("choose.throw");
     until([&] { return kiosk_->visit().sight().has_value(); });
     for (int n = 0; n < 100; ++n) frame();  // Four seconds: a shorter visit is counted apart.
+    touch_clay();
     press("throw.done");
     until([&] { return kiosk_->visit().control("result.keep").has_value(); });
     last();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <tuple>
 
 #include "kiosk/keepsake/souvenir/postcard.h"
 #include "kiosk/picture/render/text.h"
@@ -246,6 +247,51 @@ TEST(TheShelf, ATapIsATapThoughTheFingerSlipsAFewMillimetres) {
   v.up(x + 9, y + 4);
   v.frames(1);
   EXPECT_TRUE(v.visit->control("choose.throw"));
+}
+
+TEST(TheShelf, ACardAndItsLabelSayWhatTheVesselIs) {
+  Visitor v(3);
+  v.vessels[0].labels["en"].what = "A pharmacy jar";
+  v.vessels[1].labels["en"].what.clear();
+  v.touch("attract.begin");
+  v.frames(1);
+  EXPECT_NE(words_in(v.frame).find("\nA pharmacy jar\n"), std::string::npos) << words_in(v.frame);
+  for (const Control& card : v.visit->reading().controls)
+    if (card.id == "choose.card.0") {
+      EXPECT_NE(card.words.find("A pharmacy jar"), std::string::npos) << card.words;
+    }
+  v.touch("choose.card.0");
+  v.frames(1);
+  EXPECT_NE(words_in(v.frame).find("\nA pharmacy jar\n"), std::string::npos) << words_in(v.frame);
+}
+
+TEST(TheShelf, ATouchBetweenTwoVesselsTakesTheNearer) {
+  // A long shelf, one that is on the screen as a whole, and one of several rows.
+  for (const auto& [w, h, all] : {std::tuple{1280, 720, 30}, {1920, 1080, 3}, {1080, 1920, 30}})
+    for (const int nearer : {0, 1}) {
+      Visitor v(all);
+      v.width = w;
+      v.height = h;
+      v.show();
+      v.touch("attract.begin");
+      v.frames(1);
+      for (std::size_t i = 0; i < v.vessels.size(); ++i)
+        v.vessels[i].labels["en"].title = "Vessel " + std::to_string(i);
+      v.frames(1);
+      const view::Rect a = *v.visit->control("choose.card.0"),
+                       b = *v.visit->control("choose.card.1");
+      const bool below = b.y > a.y + a.h;
+      const float near = nearer == 0 ? 0.3f : 0.7f;
+      const float x = below ? a.x + a.w / 2 : a.x + a.w + near * (b.x - a.x - a.w);
+      const float y = below ? a.y + a.h + near * (b.y - a.y - a.h) : a.y + a.h / 2;
+      ASSERT_FALSE(a.contains(x, y) || b.contains(x, y)) << "a gap";
+      v.down(x, y);
+      v.show();
+      v.up(x, y);
+      v.frames(1);
+      ASSERT_TRUE(v.visit->control("choose.throw")) << w << "x" << h;
+      EXPECT_EQ(title_of(v), "Vessel " + std::to_string(nearer)) << w << "x" << h;
+    }
 }
 
 TEST(TheShelf, SaysHowMuchMoreThereIsInWordsAndByALine) {

@@ -102,7 +102,8 @@ TEST(Comfort, IsOneTouchAndOneKeyAwayOnEveryScreenAndOverTheWarning) {
     ++screens;
     ASSERT_TRUE(v.visit->control("comfort")) << name;
     // Over these pages the key leads to another page, not back.
-    if (name.find("help") != std::string::npos || name.find("language") != std::string::npos)
+    if (name.find("help") != std::string::npos || name.find("language") != std::string::npos ||
+        name == "leaving")
       return;
     v.key(Key::comfort);
     EXPECT_TRUE(v.visit->control("comfort.close")) << name;

@@ -78,6 +78,7 @@ TEST(Idle, AnyInputExtendsItAnyNumberOfTimes) {
 TEST(Idle, ATouchThatExtendsPressesNothingBehindTheWarning) {
   Visitor v;
   v.throw_a_pot();
+  v.touch_clay();
   const auto done = *v.visit->control("throw.done");
   v.frames(v.exhibit.idle.warn_after + 1);
   v.down(done.x + 5, done.y + 5);

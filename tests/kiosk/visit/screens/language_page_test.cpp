@@ -77,6 +77,48 @@ TEST(LanguagePage, EachLanguageHasOnePlaceWhateverLanguageIsInUse) {
   }
 }
 
+TEST(LanguagePage, ATouchRightAfterAPageHasClosedPressesNothingThatLayBelow) {
+  for (const auto& [way, closes] : {std::pair{"language", "language.ko"},
+                                    {"language", "language.close"},
+                                    {"help", "help.close"},
+                                    {"comfort", "comfort.close"}}) {
+    EightLanguages v;
+    v.make_result();
+    v.frames(1);
+    const auto tap = [&](const Rect& at) {
+      v.down(at.x + at.w / 2, at.y + at.h / 2);
+      v.up(at.x + at.w / 2, at.y + at.h / 2);
+    };
+    const Rect keep = *v.visit->control("result.keep");
+    v.touch(way);
+    v.frames(0.5);
+    tap(*v.visit->control(closes));
+    v.now += 2;  // a slow machine: nobody has seen yet that the page is gone
+    tap(keep);
+    v.show();
+    ASSERT_EQ(v.visit->reading().over, "") << closes;
+    v.now += 2;  // nor while it is drawn for the first time
+    tap(keep);
+    v.show();
+    const Rect there = *v.visit->control("result.keep");  // words differ by language
+    for (int n = 0; n < 10; ++n) tap(there), v.show();
+    EXPECT_EQ(v.visit->screen(), ScreenId::result) << closes;
+    v.frames(0.2);
+    tap(there);
+    v.show();
+    EXPECT_EQ(v.visit->screen(), ScreenId::keepsake) << closes << ": later a touch is meant";
+  }
+}
+
+TEST(LanguagePage, WhoClosesAPageByAKeyMayTouchAtOnce) {
+  EightLanguages v;
+  v.begin();
+  v.key(Key::help);
+  v.key(Key::back);
+  v.touch("choose.card.0");
+  EXPECT_TRUE(v.visit->control("choose.throw"));
+}
+
 TEST(LanguagePage, IsReachedAndLeftByKeysAndBeginsAtTheLanguageInUse) {
   EightLanguages v;
   v.throw_a_pot();

@@ -100,6 +100,7 @@ TEST(LessonLine, AStepThatWasShownDoesNotBeginAnewWithAnotherVessel) {
   v.touch_clay(1.2);
   ASSERT_TRUE(says(v, "from the inside"));
   v.touch("back");
+  v.touch("leaving.go");
   v.touch("choose.card.1");
   v.touch("choose.throw");
   v.frames(0.5);

@@ -97,6 +97,7 @@ void walk_missions(Visitor& v, const std::function<void(const std::string&)>& lo
     settled(name + " result");
     if (kind != Kind::describe) {
       v.touch("result.other");
+      v.touch("leaving.go");
       continue;
     }
     v.touch("result.keep");

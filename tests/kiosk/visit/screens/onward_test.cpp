@@ -72,6 +72,7 @@ TEST(Onward, TheButtonSaysItsNameAndOpensItsLabel) {
   ASSERT_LE(v.visit->score().stars, 2) << "an untouched lump";
   EXPECT_NE(words_in(v.frame).find("easier one: Vessel 1"), std::string::npos) << words_in(v.frame);
   v.touch("result.onward");
+  v.touch("leaving.go");
   v.frames(1);
   ASSERT_EQ(v.visit->screen(), ScreenId::choose);
   ASSERT_TRUE(v.visit->control("choose.throw"));
@@ -83,6 +84,7 @@ TEST(Onward, TheButtonSaysItsNameAndOpensItsLabel) {
   v.touch("choose.throw");
   v.touch("throw.done");
   v.touch("result.other");
+  v.touch("leaving.go");
   v.frames(1);
   EXPECT_TRUE(v.visit->control("choose.card.0")) << "an old offer opens nothing";
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kiosk/picture/view/palette.h"
@@ -25,6 +26,7 @@ TEST(Result, SpeaksInWordsAndTellsMillimetresToThoseWhoAsk) {
   v.frames(1);
   EXPECT_TRUE(says_millimetres(v)) << words_in(v.frame);
   v.touch("result.again");
+  v.touch("leaving.go");
   v.touch("throw.done");
   v.frames(1);
   EXPECT_TRUE(says_millimetres(v)) << "the choice lasts for the visit";
@@ -39,20 +41,76 @@ TEST(Result, SpeaksInWordsAndTellsMillimetresToThoseWhoAsk) {
   EXPECT_FALSE(says_millimetres(v)) << "and is forgotten with its visitor";
 }
 
-TEST(Result, AnArrowPointsToTheVesselsLineForEachDifferenceThatIsSeen) {
-  // A lump is narrower than a wide jar: arrows point outwards, to the right of the axis.
-  Visitor v;
-  for (ShelfCard& card : v.shelf) card.target = jar(0.14);
-  v.make_result();
-  v.frames(1);
-  std::size_t seen = 0;
-  for (const score::Remark& one : v.visit->score().try_next) seen += one.seen ? 1 : 0;
-  ASSERT_GT(seen, 0u);
+std::size_t arrows(const Visitor& v) {
   std::size_t heads = 0;
   for (const view::Item& item : v.frame.items)
     if (const auto* line = std::get_if<view::Line>(&item))
       if (line->colors.front() == view::kDeepCeladon && line->points.size() == 3) ++heads;
-  EXPECT_EQ(heads, seen);
+  return heads;
+}
+
+TEST(Result, AnArrowPointsToTheVesselsLineForEachDifferenceThatTheWordsSpeakOf) {
+  Visitor v;
+  for (ShelfCard& card : v.shelf) card.target = jar(0.14);
+  v.make_result();
+  v.frames(1);
+  const auto& tries = v.visit->score().try_next;
+  const auto seen = [&](std::size_t of) {
+    return static_cast<std::size_t>(
+        std::count_if(tries.begin(), tries.begin() + static_cast<std::ptrdiff_t>(of),
+                      [](const score::Remark& one) { return one.seen.has_value(); }));
+  };
+  ASSERT_EQ(tries.size(), 3u);
+  ASSERT_TRUE(tries.front().seen);
+  ASSERT_GT(seen(3), 1u);
+  EXPECT_EQ(arrows(v), 1u) << "one sentence, one arrow";
+  v.touch("result.figures");
+  v.frames(1);
+  EXPECT_EQ(arrows(v), seen(2)) << "two sentences";
+}
+
+TEST(Result, APotThatIsNotKeptIsNotLeftWithoutAQuestion) {
+  for (const std::string way : {"result.other", "result.again", "result.onward"}) {
+    Visitor v(3);
+    for (std::size_t i = 0; i < 3; ++i)
+      v.shelf[i].target = jar(0.14 - 0.04 * static_cast<double>(i));
+    v.make_result();
+    v.frames(1);
+    v.touch(way);
+    EXPECT_EQ(v.visit->screen(), ScreenId::result) << way;
+    ASSERT_EQ(v.visit->reading().over, "leaving") << way;
+    EXPECT_EQ(v.visit->reading().first, "leaving.close") << "the safe way comes first";
+    v.touch("leaving.close");
+    EXPECT_EQ(v.visit->reading().over, "");
+    EXPECT_EQ(v.visit->screen(), ScreenId::result);
+    v.touch(way);
+    v.touch("leaving.go");
+    v.frames(1);
+    EXPECT_EQ(v.visit->screen(), way == "result.again" ? ScreenId::throwing : ScreenId::choose);
+    EXPECT_EQ(v.visit->reading().over, "");
+  }
+}
+
+TEST(Result, AKeptPotIsLeftWithoutAQuestionUntilItIsTouchedAgain) {
+  Visitor v;
+  v.make_result();
+  v.touch("result.keep");
+  v.visit->keepsake_kept("2026-05-04_141503");
+  v.touch("back");
+  v.touch("back");
+  ASSERT_EQ(v.visit->screen(), ScreenId::throwing);
+  v.touch("back");
+  EXPECT_EQ(v.visit->screen(), ScreenId::choose) << "it is kept";
+
+  Visitor w;
+  w.make_result();
+  w.touch("result.keep");
+  w.visit->keepsake_kept("2026-05-04_141503");
+  w.touch("back");
+  w.touch("back");
+  w.touch_clay();
+  w.touch("back");
+  EXPECT_EQ(w.visit->reading().over, "leaving") << "it is another pot now";
 }
 
 TEST(Result, NothingToTryHasNoArrow) {

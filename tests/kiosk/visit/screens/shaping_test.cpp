@@ -211,6 +211,8 @@ TEST(Shaping, TheScoreOnTheScreenIsThatOfTheKeptPotAndOfItsReplayToTheBit) {
 
 TEST(Shaping, BackAtTheWheelThePotGoesOn) {
   Studio studio;
+  const double r = studio.wheel_host.view().clay.profile().outer_at(0.12);
+  studio.stroke({{r, 0.12}, {r - 0.01, 0.12}}, 0.5);
   studio.press("throw.done");
   studio.run(1);
   const std::uint64_t rested = studio.wheel_host.status().ticks;

@@ -124,6 +124,33 @@ TEST(ThrowingScreen, NothingMovesWhenThereIsAStrokeToTakeBackOrTheDrawerOpens) {
   }
 }
 
+TEST(ThrowingScreen, TheLinksAtTheFootStandInOneRowInEveryLanguageWhicheverDrawerIsOpen) {
+  int apart = 0;
+  for (const char* code : {"en", "ko", "es", "fr", "de", "ja", "zh", "ar"}) {
+    AtTheWheel v(1080, 1920);
+    v.languages.push_back(
+        *content::Language::read(std::string("content/languages/") + code + ".toml"));
+    v.visit->speak(code);
+    v.frames(1);
+    const auto foot = [&](const char* id) {
+      const auto at = v.visit->control(id);
+      return at ? at->y + at->h : -1;
+    };
+    const float links = foot("back");
+    for (const char* id : {"help", "comfort", "language"})
+      EXPECT_NEAR(foot(id), links, 1) << id << " " << code;
+    EXPECT_NEAR(foot("throw.tools"), foot("throw.wheel"), 1) << code;
+    apart += foot("throw.tools") < links - 1;
+    const auto back = v.visit->control("help");
+    v.touch("throw.wheel");
+    if (foot("throw.less") < links - 1) {
+      EXPECT_EQ(v.visit->control("help"), back) << code;
+    }
+  }
+  EXPECT_GT(apart, 0) << "some languages need two rows";
+  EXPECT_LT(apart, 8) << "and some need one";
+}
+
 /// How strongly the box under `control` is filled, 0..1.
 float filled(const Visitor& v, const std::string& control) {
   const auto rect = v.visit->control(control);
@@ -163,6 +190,53 @@ TEST(ThrowingScreen, WhatIsOnIsTickedAndTintedAndOnlyTheStepOnwardIsSolid) {
   v.touch("throw.tools");
   EXPECT_TRUE(ticked(v, "throw.inside"));
   EXPECT_FALSE(ticked(v, "throw.both"));
+}
+
+TEST(ThrowingScreen, UndoStandsAtItsPlaceFromTheStartAndCanBePressedOnceThereIsAStroke) {
+  for (const bool spoken : {false, true}) {
+    AtTheWheel v(1920, 1080);
+    if (spoken) {
+      v.exhibit.screen.spoken = true;
+      v.frames(1);
+    }
+    const auto place = [&] {
+      for (const view::Item& item : v.frame.items)
+        if (const auto* text = std::get_if<view::Text>(&item); text && text->text == "Undo")
+          return text->box;
+      return Rect{};
+    };
+    const Rect before = place();
+    EXPECT_GT(before.w, 0) << "it is seen";
+    EXPECT_FALSE(v.visit->control("throw.restore")) << "and cannot be pressed";
+    v.status.can_restore = true;
+    v.show();
+    EXPECT_EQ(place(), before);
+    EXPECT_TRUE(v.visit->control("throw.restore"));
+  }
+}
+
+TEST(ThrowingScreen, OneButtonIsSolidWhatAVisitorWantsMostNow) {
+  AtTheWheel v(1920, 1080);
+  v.touch_clay();
+  EXPECT_TRUE(solid(v, "throw.done"));
+  for (const char* drawer : {"throw.tools", "throw.wheel"}) {
+    v.touch(drawer);
+    EXPECT_TRUE(solid(v, "throw.less")) << drawer;
+    EXPECT_FALSE(solid(v, "throw.done")) << drawer;
+    v.touch("throw.less");
+  }
+  content::LessonStep step;
+  step.until = content::DoneWhen::opened;
+  step.after = 1000;
+  step.words["en"] = "Open it";
+  v.lesson.push_back(step);
+  step.until = content::DoneWhen::cut;
+  v.lesson.push_back(step);
+  v.show();
+  ASSERT_TRUE(v.visit->control("throw.skip"));
+  EXPECT_FALSE(solid(v, "throw.done")) << "the lesson goes on";
+  v.touch("throw.skip");
+  EXPECT_TRUE(solid(v, "throw.done"));
 }
 
 TEST(ThrowingScreen, DoneIsTheStepOnwardOnceTheClayWasTouchedAndNotBefore) {

@@ -132,6 +132,7 @@ TEST(ToolTray, BothHandsPutTheToolDown) {
 
 TEST(ToolTray, TheWireWaitsForTheWheelPassesUnderThePotAndEndsTheThrowing) {
   AtTheTray v;
+  v.touch_clay();
   v.status.feedback.wheel_speed = 20;
   v.touch("throw.tool.2");
   EXPECT_EQ(v.wheel_commands.wheels.back(), 0.0);

@@ -85,12 +85,14 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool ke
                       ""};
     std::string korean;
     for (int k = 0; k < 8; ++k) korean += "도공은 사발 두 개를 빚어 위아래로 맞붙였다. ";
+    v.labels["en"].what = "A prize, full of oil";
     v.labels["ko"] = {"파나테나이아 암포라",
                       "미국 뉴멕시코, 아코마 푸에블로",
                       "기원전 3500–3200년 무렵",
                       "물레로 빚은 사발 두 개를 맞붙였다.",
                       korean,
                       ""};
+    v.labels["ko"].what = "기름을 채운 우승 상품";
   }
   if (kiln) {
     const auto read = content::read_glazes("content/glazes.toml", {"en", "ko"});
@@ -198,14 +200,25 @@ void Visitor::put_on(const settings::Mission& mission, int card) {
   show();
 }
 
+void Visitor::touch_clay() {
+  auto& contact = status.feedback.hand[0].contact;
+  const bool was = std::exchange(contact, true);
+  show();
+  contact = was;
+  show();
+}
+
 void Visitor::touch(const std::string& control) {
   if (control.starts_with("throw.")) reach(control);
+  if (control == "throw.done") touch_clay();
   const auto rect = visit->control(control);
   ASSERT_TRUE(rect) << control << " is not on the screen";
   down(rect->x + rect->w / 2, rect->y + rect->h / 2);
   show();
   up(rect->x + rect->w / 2, rect->y + rect->h / 2);
   show();
+  if (control.ends_with(".close") || control.starts_with("language.") || control == "leaving.go")
+    frames(0.5);
 }
 
 void Visitor::speak(const std::string& code) {
@@ -220,6 +233,7 @@ void Visitor::key(view::Key key) {
 }
 
 bool Visitor::key_to(const std::string& control) {
+  if (control == "throw.done") touch_clay();
   for (const std::string& way : {std::string("throw.less"), way_into_drawer(control)})
     if (control.starts_with("throw.") && !visit->control(control) && visit->control(way))
       key_to(way);
@@ -357,6 +371,9 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   }
   v.touch("throw.done");
   with_help("result");
+  v.touch("result.other");
+  settled("leaving");
+  v.touch("leaving.close");
   const bool kiln = !v.glazes.empty();
   v.touch("result.keep");
   if (kiln) {
@@ -382,7 +399,7 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   v.frames(v.exhibit.idle.result_after + 1);
   settled("idle");
   v.move(3, 3);
-  v.show();
+  v.frames(0.5);
   v.touch("back");
   v.touch("back");
   if (kiln) v.touch("back");

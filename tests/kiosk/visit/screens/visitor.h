@@ -81,8 +81,10 @@ class Visitor {
   void put_on(const settings::Mission& mission, int card = 0);
   /// "A jar that holds a litre", or another.
   static settings::Mission described(double litres);
-  /// Down and up in the middle of a control, in the drawer too.
+  /// Down and up in the middle of a control, in the drawer too. As visitors do: before "Done" a
+  /// hand is on the clay, and after a page was closed they wait until it is gone.
   void touch(const std::string& control);
+  void touch_clay();  ///< A hand meets the clay, and leaves it.
   /// By the globe.
   void speak(const std::string& code);
   /// At the wheel: opens or closes the drawer where `control` is only seen so.
