@@ -247,6 +247,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
                                  clay.rim_height(), hollow);
   if (on_rim_) {
     press = press_rim(clay, ball_step(sweep, n, of), yielding);
+    face_depth_ = std::max(face_depth_, press.depth);
     off_face = at_edge && press.touched > 0 ? feel_edge(edge, 1.0, seconds, yielding, press)
                                             : contact::FacePush{press.force, press.normal};
   } else {
@@ -254,6 +255,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
     if (at_edge && press.touched > 0)
       off_face =
           feel_edge(edge, edge_share(above, lowest.radius, press.depth), seconds, yielding, press);
+    face_depth_ = std::max(face_depth_, press.depth);
     const double hangs = place.at.y - (lowest.middle.y - lowest.radius);  // below `at`
     const double bottom = std::min(sweep.from.y, sweep.to.y) - hangs;
     if (side_ == WallSide::inside && bottom < clay.floor_top()) {

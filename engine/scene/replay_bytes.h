@@ -11,7 +11,7 @@
 namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
-inline constexpr std::uint32_t kVersion = 15;  ///< Version of the format, and of the clay's laws.
+inline constexpr std::uint32_t kVersion = 16;  ///< Version of the format, and of the clay's laws.
 /// Oldest version that can be read (replay_scene.h).
 inline constexpr std::uint32_t kOldestVersion = 11;
 
