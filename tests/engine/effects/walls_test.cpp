@@ -176,7 +176,7 @@ Clay tapered(int rows = 100, int sectors = 90) {
 }
 
 TEST(Walls, TheWallBehindAToolIsThatOfItsOwnHeightWhicheverWayItStands) {
-  for (const auto& [rows, sectors] : {std::pair{100, 90}, std::pair{600, 512}, std::pair{16, 12}}) {
+  for (const auto& [rows, sectors] : {std::pair{100, 90}, std::pair{600, 512}, std::pair{16, 16}}) {
     const Clay clay = tapered(rows, sectors);
     const double far = std::max(0.008, 3.0 * clay.first_thickness());
     for (double height = 0.010 + far + 0.001; height < 0.2 - far - 0.001; height += 0.0007)

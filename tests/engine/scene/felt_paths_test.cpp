@@ -32,16 +32,15 @@ Work round(Scene& scene, SideWish side, const std::vector<Vec3>& path) {
   Hands hands;
   hands.hand[0] = {.position = path[0], .active = true, .side = side};
   Work work;
-  Vec3 last = pushed(scene, hands);
+  pushed(scene, hands);
   for (std::size_t n = 0; n < path.size(); ++n) {
     const Vec3 from = path[n], way = path[(n + 1) % path.size()] - from;
     const int steps = static_cast<int>(std::ceil(length(way) / 2e-5));
     for (int k = 1; k <= steps; ++k) {
       hands.hand[0].position = from + (1.0 * k / steps) * way;
       const Vec3 force = pushed(scene, hands);
-      work.gained += dot(0.5 * (force + last), (1.0 / steps) * way);
+      work.gained += dot(force, (1.0 / steps) * way);  // that of the tick's middle
       work.stored = std::max(work.stored, -work.gained);
-      last = force;
     }
   }
   return work;
