@@ -10,7 +10,8 @@
 //     struct Row {
 //       Row(const BodyFigures<Body>&, const BodyRow<Body>&);
 //       template <WallSide side, bool careful> Meeting meet(Float8 cos, Float8 sin, Float8 face)
-//       const; void react(RowSum&, Float8 weight, const Meeting&, Float8 cos, Float8 sin) const;
+//       const; void react(RowSum&, Float8 weight, Float8 press, const Meeting&, Float8 cos, Float8
+//       sin) const;
 //     };
 //     static void collect(const BodyFigures<Body>&, const RowSum&, float area, Reaction&);
 //   };
@@ -134,7 +135,7 @@ ONGGI_INLINE void press_met(const Row& row, const StepFigures& step, float* face
   // As a press fades, the face moves by as much. So the mean of press times radius over the step is
   // the press's mean times the mean of the first and last radius.
   const Float8 whole = edges ? only(touch, larger(felt + beside, all(0.0f))) : felt;
-  row.react(pressed.sum, whole * (all(0.5f) * (radius + now)), m, load(step.ray_cos + i),
+  row.react(pressed.sum, whole * (all(0.5f) * (radius + now)), press, m, load(step.ray_cos + i),
             load(step.ray_sin + i));
   pressed.depth = larger(pressed.depth, felt);
   pressed.touched += count(touch);

@@ -1,6 +1,7 @@
 #include "engine/contact/tool_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/clay/lip.h"
@@ -201,6 +202,31 @@ Press press_on_floor(Clay& clay, const BallStep& step, const body::Ball& ball,
   return press;
 }
 
+// The wall's sum, k_A l n A, ends where its rows end: outside at the wheel head, inside at the
+// floor. A ball that this end cuts is pushed across it by less than its push grows along the wall,
+// so a path that goes in above the end and out over it would gain. What lacks is a pull down: the
+// cut's depth cubed over 6 R, added up along the cut. m^3. `above`: the ball's middle over the end.
+// `bend`: of the face, 1/m, > 0 outside.
+double pull_across_end(double radius, double depth, double above, double bend) {
+  const double square = (radius - above) * (radius + above);
+  if (!(square > 0.0)) return 0.0;
+  // From the middle to the face. Where the middle is below the end, the cut is the deepest place.
+  const double nearest = std::max((above < 0.0 ? std::sqrt(square) : radius) - depth, 0.0);
+  const double half = square - nearest * nearest;  // of the cut, squared
+  if (!(half > 0.0)) return 0.0;
+  constexpr std::array<double, 4> kAt{0.069431844202974, 0.330009478207572, 0.669990521792428,
+                                      0.930568155797026};
+  constexpr std::array<double, 4> kWeight{0.173927422568727, 0.326072577431273, 0.326072577431273,
+                                          0.173927422568727};
+  double sum = 0.0;
+  for (std::size_t n = 0; n < kAt.size(); ++n) {
+    const double deep = std::sqrt(square - half * kAt[n] * kAt[n]) - nearest;
+    sum += kWeight[n] * deep * deep * deep;
+  }
+  // A round face meets the ball in a narrower print, or in a wider one inside.
+  return sum * std::sqrt(half / std::max(1.0 + radius * bend, 0.25)) / (3.0 * radius);
+}
+
 // Replaces `share` (0..1) of `press`'s force by `edge`'s. Returns the part that is not on a face.
 // The part on a face fades during the step as the wall's press does.
 contact::FacePush feel_edge(const contact::EdgePush& edge, double share, double seconds,
@@ -247,6 +273,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
                                  clay.rim_height(), hollow);
   if (on_rim_) {
     press = press_rim(clay, ball_step(sweep, n, of), yielding);
+    face_depth_ = std::max(face_depth_, press.depth);
     off_face = at_edge && press.touched > 0 ? feel_edge(edge, 1.0, seconds, yielding, press)
                                             : contact::FacePush{press.force, press.normal};
   } else {
@@ -254,6 +281,19 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
     if (at_edge && press.touched > 0)
       off_face =
           feel_edge(edge, edge_share(above, lowest.radius, press.depth), seconds, yielding, press);
+    if (sweep.shape->round() && press.touched > 0) {
+      const bool outside = side_ == WallSide::outside;
+      const double gap = press.depth - lowest.radius;
+      const double face = std::max(axis_distance(place.at) + (outside ? gap : -gap), lowest.radius);
+      const double pull = pull_across_end(lowest.radius, press.depth,
+                                          place.at.y - (outside ? 0.0 : clay.floor_top()),
+                                          (outside ? 1.0 : -1.0) / face);
+      if (pull > 0.0) {
+        const double rate = yielding.relaxation_time / seconds;
+        press.force.y -= yielding.stiffness * rate * -portable::expm1(-1.0 / rate) * pull;
+      }
+    }
+    face_depth_ = std::max(face_depth_, press.depth);
     const double hangs = place.at.y - (lowest.middle.y - lowest.radius);  // below `at`
     const double bottom = std::min(sweep.from.y, sweep.to.y) - hangs;
     if (side_ == WallSide::inside && bottom < clay.floor_top()) {

@@ -43,6 +43,7 @@ namespace contact {
 struct FacePush {
   Vec3 force;         ///< N.
   double normal = 0;  ///< Sum of the elements' normal forces, N.
+  double depth = 0;   ///< Deepest press on a face, m.
 };
 
 }  // namespace contact
@@ -59,11 +60,12 @@ class ToolContact {
   const Press& reaction() const { return sum_; }
   /// The part of reaction() that pushes the wall aside.
   contact::FacePush on_face() const {
-    return {sum_.force - off_face_.force, sum_.normal - off_face_.normal};
+    return {sum_.force - off_face_.force, sum_.normal - off_face_.normal, face_depth_};
   }
   void begin_tick() {
     sum_ = {};
     off_face_ = {};
+    face_depth_ = 0.0;
   }
   /// Call when the hand was lifted or is new: the next step chooses the side again.
   void release() { touching_ = false; }
@@ -90,6 +92,7 @@ class ToolContact {
   bool on_floor_ = false;
   Press sum_;
   contact::FacePush off_face_;  // part of sum_ on rim and floor
+  double face_depth_ = 0.0;
 };
 
 }  // namespace onggi

@@ -2,6 +2,7 @@
 
 #include "engine/base/def_field.h"
 #include "engine/clay/clay.h"
+#include "engine/effects/moisture.h"
 #include "engine/math/vec.h"
 
 namespace onggi {
@@ -48,14 +49,36 @@ double wall_bears(const WallsDef& def, double thickness, double strength) noexce
 /// nearly all of W far below it. Never steeper than `normal`, in either variable. N.
 double wall_push(double normal, double bears, double held) noexcept;
 
-/// Mean thickness of the wall at `at` (clay frame, m) within 8 mm to each side, m. Weights the rows
-/// above and below by distance, and partly covered elements by their part, so that it has no steps.
-/// Infinite at the floor's top and below. O(elements there).
-double wall_thickness(const Clay& clay, Vec3 at) noexcept;
+/// The wall behind a hand: means over a patch about `at`, with weights that fall smoothly to 0 at
+/// its edge, 8 mm away. So they have no steps, and neither have their slopes. Of rows and sectors
+/// finer than 2 mm only some are looked at, always the same ones.
+struct WallBehind {
+  double thickness = 0, wetness = 0;  ///< m, 0..1. Solid rows have no wall, and are left out.
+  /// How they change with `at`, up and round the ring, for each m; clay frame.
+  Vec3 thicker, wetter;
+};
+/// `at`: clay frame, m; above the floor's top. `moisture`: null if the clay is dry. O(1).
+WallBehind wall_behind(const Clay& clay, const Moisture* moisture, Vec3 at) noexcept;
 
-/// Share of a push at `height` (m) that the wall must bear itself, 0..1. It rises smoothly from 0
-/// at the solid clay to 1 at 8 mm above, where the foot no longer supports the wall.
-double clear_of_foot(const Clay& clay, double height) noexcept;
+/// Share of a push that the wall must bear itself, 0..1. It rises smoothly from 0 at the solid clay
+/// to 1 at 8 mm above, where the foot no longer supports the wall.
+struct ClearOfFoot {
+  double share = 0, rise = 0;  ///< `rise`: for each m of height.
+};
+ClearOfFoot clear_of_foot(const Clay& clay, double height) noexcept;
+
+/// A wall that bends stores less energy than clay that does not, by
+///   D = integral over the depth of clear M - wall_push(clear M, P, 0),
+/// with M the push at that depth. Here: how D grows with `clear` (0..1) and with P (`bears`, N) if
+/// the depth stays. `alone`: the push without what the other hand holds, N. It is taken to have
+/// grown as it does for a ball of `radius` (m) that is pressed `depth` (m) deep into an even face,
+/// or, if `radius` is 0, for a tool's edge.
+struct BendSlopes {
+  double by_clear = 0;  ///< J.
+  double by_bears = 0;  ///< m; 0 or less.
+};
+BendSlopes bend_slopes(double alone, double clear, double bears, double depth,
+                       double radius) noexcept;
 
 }  // namespace effects
 }  // namespace onggi

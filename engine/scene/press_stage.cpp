@@ -13,6 +13,11 @@ namespace {
 // one hand only grazes the wall, above kPinches both pinch it.
 constexpr double kGrazes = 0.5, kPinches = 0.7;
 
+// Its push grows as a ball's does.
+bool rounded(const ToolShape& shape) {
+  return shape.body == BodyKind::ball || shape.body == BodyKind::capsule;
+}
+
 }  // namespace
 
 // Stage 5, for a wire.
@@ -116,12 +121,26 @@ void Scene::State::bend_walls(const Tick& tick, Faces& face) const noexcept {
     if (pushed[1 - n] > 0.0 && hand[0].contact.side() != hand[1].contact.side())
       held = effects::wall_support(*def.walls, way, tick.sweep[1 - n].to) *
              std::min(normal, pushed[1 - n]);
-    const double alone = effects::clear_of_foot(clay, way.y) * (normal - held);
-    const double strong = moisture ? effects::strength(*def.moisture, wetness_at(way.y)) : 1.0;
+    const effects::ClearOfFoot clear = effects::clear_of_foot(clay, way.y);
+    if (clear.share == 0.0) continue;
     const Vec3 at{c * way.x + s * way.z, way.y, c * way.z - s * way.x};
-    const double bears = effects::wall_bears(*def.walls, effects::wall_thickness(clay, at), strong);
-    const double felt = effects::wall_push(normal, bears, normal - alone);
-    face[n].force = (felt / normal) * face[n].force;
+    const effects::WallBehind wall =
+        effects::wall_behind(clay, moisture ? &*moisture : nullptr, at);
+    const double strong = moisture ? effects::strength(*def.moisture, wall.wetness) : 1.0;
+    const double bears = effects::wall_bears(*def.walls, wall.thickness, strong);
+    const double alone = normal - held;
+    const double felt = effects::wall_push(normal, bears, normal - clear.share * alone);
+    // A wall that bends more easily beside the hand pulls the hand there, or a hand that goes in
+    // where it is thin and comes out where it is thick would gain.
+    const ToolSweep& sweep = tick.sweep[n];
+    const effects::BendSlopes slopes = effects::bend_slopes(
+        alone, clear.share, bears, face[n].depth, rounded(*sweep.shape) ? sweep.size.radius : 0.0);
+    Vec3 firmer = 2.0 / wall.thickness * wall.thicker;
+    if (moisture) firmer += portable::log(def.moisture->weakening) * wall.wetter;
+    Vec3 softer = slopes.by_bears * bears * firmer;
+    softer.y += slopes.by_clear * clear.rise;
+    face[n].force = (felt / normal) * face[n].force +
+                    Vec3{c * softer.x - s * softer.z, softer.y, s * softer.x + c * softer.z};
     face[n].normal = felt;
   }
 }

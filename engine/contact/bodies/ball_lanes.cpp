@@ -42,7 +42,7 @@ struct BallLaw {
       if constexpr (side == WallSide::outside) m.hit = m.hit & (along > all(0.0f));
       m.covered = smaller(inside_edge * per_width, most_covered);
     }
-    ONGGI_INLINE void react(RowSum& sum, Float8 weight, const Meeting& m, Float8 c,
+    ONGGI_INLINE void react(RowSum& sum, Float8 weight, Float8, const Meeting& m, Float8 c,
                             Float8 s) const {
       const Float8 out = weight * m.end;
       sum.weight = sum.weight + weight;

@@ -5,6 +5,7 @@ namespace {
 
 struct BoxShape {
   using Body = body::Box;
+  static constexpr bool kLeans = false;
   SlabLanes a, b, c;
   bool asked;
 

@@ -5,6 +5,7 @@ namespace {
 
 struct CapsuleShape {
   using Body = body::Capsule;
+  static constexpr bool kLeans = true;
   RodLanes rod;
   Float8 length, end_x, end_z;
   Float8 tip_circle, end_circle;  // radii of the balls' sections
@@ -17,6 +18,7 @@ struct CapsuleShape {
         tip_circle(circle(in.rod.radius, in.rod.my)),
         end_circle(circle(in.rod.radius, in.end_y)) {}
 
+  ONGGI_INLINE Float8 over_radius() const { return rod.over_radius; }
   ONGGI_INLINE static Float8 circle(float radius, float y) {
     const float square = (radius - y) * (radius + y);
     return all(square > 0.0f ? __builtin_sqrtf(square) : 0.0f);

@@ -5,6 +5,7 @@ namespace {
 
 struct CylinderShape {
   using Body = body::Cylinder;
+  static constexpr bool kLeans = false;
   RodLanes rod;
   SlabLanes faces;
 

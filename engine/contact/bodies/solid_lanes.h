@@ -9,6 +9,8 @@
 //     explicit Shape(const Body::Section&);  // once a row
 //     template <WallSide side> FacingInterval interval(Float8 cos, Float8 sin, Float8 beside)
 //     const;
+//     static constexpr bool kLeans = ...;  // what it feels is right also where it leans on a wall
+//     Float8 over_radius() const;          // with kLeans
 //   };
 //
 // and instantiates Kernel<SolidLaw<Shape>>. For *_lanes.cpp only.
@@ -25,6 +27,10 @@ struct FacingMeeting {
   Float8 left, right;
   Float8 x, y, z;
 };
+
+// Ends of a body that is sunk deeper than its radius face the ray by less, and are felt as if they
+// faced it so far.
+inline constexpr float kLeastFacing = 0.25f;
 
 // An element is a strip as wide as its sector. Only the part that the section covers gives way and
 // is felt. The body's end is taken in the middle of that part. So a body narrower than an element
@@ -129,8 +135,18 @@ struct SolidLaw {
       m.y = in.y;
       m.z = in.z;
     }
-    ONGGI_INLINE void react(RowSum& sum, Float8 weight, const FacingMeeting& m, Float8,
-                            Float8) const {
+    // A body that leans on the wall (Shape::kLeans) feels the pressure of the edge's law on its own
+    // surface (crown.h): an element's share of that surface is larger by 1 over how squarely it
+    // faces the ray. Without this the sum would push the body along an even wall.
+    ONGGI_INLINE void react(RowSum& sum, Float8 given, Float8 press, const FacingMeeting& m,
+                            Float8 c, Float8 s) const {
+      Float8 weight = given;
+      if constexpr (Shape::kLeans) {
+        const Float8 deep = smaller(press * shape.over_radius(), all(1.0f));
+        const Float8 bent = all(1.0f) - deep * (all(0.5f) - all(0.21828f) * deep);
+        const Float8 facing = abs(m.x * c + m.z * s);
+        weight = given * bent / larger(facing, all(kLeastFacing));
+      }
       sum.weight = sum.weight + weight;
       sum.x = sum.x + weight * m.x;
       sum.y = sum.y + weight * m.y;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "engine/contact/tool_contact.h"
@@ -30,8 +31,13 @@ struct Work {
 
 // Round `path`, straight from place to place, in steps of `step` m. The force between two places is
 // the mean of those at both.
-Work round(Clay& clay, const std::vector<Vec3>& path, double step = 1e-5) {
+Work round(Clay& clay, const std::vector<Vec3>& path, double step = 1e-5,
+           std::string_view tool = "sphere", SideWish side = SideWish::by_position) {
   ToolContact contact;
+  ToolSweep sweep = sweep_sphere(path[0], path[0], kRadius);
+  sweep.shape = find_tool_shape(tool);
+  sweep.size = sized(*sweep.shape, {});
+  sweep.wish = side;
   Work work;
   Vec3 last;
   for (std::size_t n = 0; n < path.size(); ++n) {
@@ -39,8 +45,12 @@ Work round(Clay& clay, const std::vector<Vec3>& path, double step = 1e-5) {
     const int steps = static_cast<int>(std::ceil(length(way) / step));
     for (int k = 1; k <= steps; ++k) {
       const Vec3 at = from + (1.0 * k / steps) * way;
+      const ToolPlace held = hold_tool(*sweep.shape, at, {}, 0.0, side == SideWish::inside);
+      sweep.from = sweep.to = at;
+      sweep.along = held.along;
+      sweep.across = held.across;
       contact.begin_tick();
-      contact.step(clay, sweep_sphere(at, at, kRadius), 0, 1, kFrozen);
+      contact.step(clay, sweep, 0, 1, kFrozen);
       const Vec3 force = contact.reaction().force;
       work.gained += dot(0.5 * (force + last), (1.0 / steps) * way);
       work.stored = std::max(work.stored, -work.gained);
@@ -68,6 +78,48 @@ TEST(ClosedPaths, OverTheEdgeOfTheRimGiveNothing) {
         EXPECT_LT(std::fabs(work.gained), 0.01 * work.stored) << thickness << ", " << deep;
       }
     }
+}
+
+// The wall's sum ends at the wheel head and at the floor.
+TEST(ClosedPaths, AcrossTheWallsEndAtTheFootGiveNothing) {
+  for (const double deep : {0.002, 0.004, 0.007}) {
+    Clay clay = cylinder(0.010);
+    const double out = 0.055 + kRadius, in = 0.045 - kRadius;
+    for (const double low : {-0.002, 0.001, 0.004}) {
+      const Work work = round(clay, {{out + 0.001, 0.02, 0},
+                                     {out - deep, 0.02, 0},
+                                     {out - deep, low, 0},
+                                     {out + 0.001, low, 0}});
+      EXPECT_GT(work.stored, 1e-5);
+      EXPECT_LT(std::fabs(work.gained), 0.02 * work.stored) << deep << ", " << low;
+      const Work inside = round(clay,
+                                {{in - 0.001, 0.03, 0},
+                                 {in + deep, 0.03, 0},
+                                 {in + deep, 0.0135 + low, 0},
+                                 {in - 0.001, 0.0135 + low, 0}},
+                                1e-5, "sphere", SideWish::inside);
+      EXPECT_LT(std::fabs(inside.gained), 0.02 * inside.stored) << deep << ", " << low;
+    }
+  }
+}
+
+// A fingertip lies aslant: 30 degrees. The sum of its elements' normal forces pushed it up along an
+// even wall, and the longer the path, the more it gained.
+TEST(ClosedPaths, OfAFingertipThatLeansOnTheWallGiveNothing) {
+  for (const double deep : {0.001, 0.003, 0.006}) {
+    Clay clay = cylinder(0.020);
+    const double out = 0.055 + kRadius;
+    for (const double way : {0.03, -0.03}) {
+      const Work work = round(clay,
+                              {{out + 0.001, 0.1, 0},
+                               {out - deep, 0.1, 0},
+                               {out - deep, 0.1 + way, 0},
+                               {out + 0.001, 0.1 + way, 0}},
+                              1e-5, "fingertip");
+      EXPECT_GT(work.stored, 1e-5);
+      EXPECT_LT(std::fabs(work.gained), 0.03 * work.stored) << deep << ", " << way;
+    }
+  }
 }
 
 // The path that gains most, of those about the rim, by a search uphill from random ones.

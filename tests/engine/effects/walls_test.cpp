@@ -4,7 +4,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
@@ -162,43 +164,72 @@ TEST(Walls, AThinWallIsFeltAsSofterThanAThickOneUnlessTheOtherHandHoldsIt) {
 }
 
 // 10 mm and a tenth of one more for each row.
-Clay tapered() {
+Clay tapered(int rows = 100, int sectors = 90) {
   ClayDef def;
-  def.rows = 100;
-  def.sectors = 90;
+  def.rows = rows;
+  def.sectors = sectors;
   Clay clay = std::move(*Clay::create(def));
   for (int j = 0; j < clay.rows(); ++j)
-    for (float& r : clay.inner_mut(j)) r = 0.055f - (0.010f + 0.0001f * static_cast<float>(j));
+    for (float& r : clay.inner_mut(j))
+      r = 0.055f - (0.010f + 0.05f * static_cast<float>(clay.row_height(j)));
   return clay;
 }
 
 TEST(Walls, TheWallBehindAToolIsThatOfItsOwnHeightWhicheverWayItStands) {
-  const Clay clay = tapered();
-  for (int j = clay.floor_rows() + 1; j < clay.rows(); ++j)
-    for (const double distance : {0.0, 0.01, 0.055})
-      for (const double angle : {0.0, 1e-9, 1.0, 3.1415, -3.1415, -1.0, -1e-9})
-        ASSERT_NEAR(wall_thickness(clay, {distance * std::cos(angle), clay.row_height(j) - 0.0005,
-                                          distance * std::sin(angle)}),
-                    0.010 + 0.0001 * (j - 0.25), 1e-7)
-            << "row " << j << " at " << angle << ", " << distance << " m from the axis";
-  EXPECT_NEAR(wall_thickness(clay, {0.055, 0.5, 0}), 0.010 + 0.0001 * 99, 1e-7) << "above the rim";
-  EXPECT_EQ(wall_thickness(clay, {0.055, clay.floor_top(), 0}), HUGE_VAL) << "solid";
+  for (const auto& [rows, sectors] : {std::pair{100, 90}, std::pair{600, 512}, std::pair{16, 16}}) {
+    const Clay clay = tapered(rows, sectors);
+    const double far = std::max(0.008, 3.0 * clay.first_thickness());
+    for (double height = 0.010 + far + 0.001; height < 0.2 - far - 0.001; height += 0.0007)
+      for (const double distance : {0.0, 0.01, 0.055})
+        for (const double angle : {0.0, 1e-9, 1.0, 3.1415, -3.1415, -1.0, -1e-9}) {
+          const WallBehind wall = wall_behind(
+              clay, nullptr, {distance * std::cos(angle), height, distance * std::sin(angle)});
+          ASSERT_NEAR(wall.thickness, 0.010 + 0.05 * height, rows > 16 ? 5e-6 : 1e-4)
+              << height << " at " << angle << ", " << distance << " m from the axis";
+          ASSERT_NEAR(wall.thicker.y, 0.05, rows > 16 ? 0.005 : 0.02);
+          ASSERT_NEAR(wall.thicker.x, 0.0, 1e-6);
+        }
+    // Above the rim and low at the foot it is that of the clay which is there.
+    EXPECT_NEAR(wall_behind(clay, nullptr, {0.055, 0.5, 0}).thickness, 0.02, far * 0.05);
+    EXPECT_EQ(wall_behind(clay, nullptr, {0.055, 0.5, 0}).thicker.y, 0.0);
+    EXPECT_NEAR(wall_behind(clay, nullptr, {0.055, clay.floor_top() + 1e-4, 0}).thickness, 0.0105,
+                far * 0.05);
+  }
 }
 
-TEST(Walls, TheWallBehindAToolHasNoStepsWhateverItsShape) {
+// Rows and elements that differ by 5 mm, and a band that is wet.
+struct Rough {
   Clay clay = tapered();
-  Random random(5);
-  for (int j = clay.floor_rows(); j < clay.rows(); ++j)
-    for (float& r : clay.inner_mut(j)) r -= static_cast<float>(random.uniform(0.0, 0.005));
+  Moisture moisture;
+
+  Rough() : moisture(wet_bands(), clay.rows()) {
+    Random random(5);
+    for (int j = clay.floor_rows(); j < clay.rows(); ++j)
+      for (float& r : clay.inner_mut(j)) r -= static_cast<float>(random.uniform(0.0, 0.005));
+    const std::array heights{0.1};
+    for (int n = 0; n < 100; ++n) moisture.soak_or_dry(wet_bands(), clay, 0.005, true, heights);
+  }
+  static MoistureDef wet_bands() { return {.sponge_height = 0.03}; }
+};
+
+TEST(Walls, TheWallBehindAToolHasNoStepsAndItsSlopesHaveNoneWhateverItsShape) {
+  const Rough pot;
+  Random random(6);
+  constexpr double kWay = 1e-6;
   for (int round = 0; round < 300; ++round) {
     const double angle = random.uniform(-4.0, 4.0), way = random.uniform(-4.0, 4.0);
-    Vec3 at{0.055 * std::cos(angle), random.uniform(0.0145, 0.2), 0.055 * std::sin(angle)};
-    double last = wall_thickness(clay, at);
-    // Rows are 2 mm and elements 4 mm: 5 mm more or less in one is 5 um in a micrometre at most.
-    for (int n = 0; n < 3000; ++n) {
-      at += 1e-6 * Vec3{std::cos(way), std::sin(way), std::sin(way)};
-      const double now = wall_thickness(clay, at);
-      ASSERT_LT(std::fabs(now - last), 5e-6) << round;
+    Vec3 at{0.055 * std::cos(angle), random.uniform(0.0105, 0.21), 0.055 * std::sin(angle)};
+    const Vec3 on = kWay * Vec3{-std::sin(angle) * std::cos(way), std::sin(way),
+                                std::cos(angle) * std::cos(way)};
+    WallBehind last = wall_behind(pot.clay, &pot.moisture, at);
+    for (int n = 0; n < 1000; ++n) {
+      at += on;
+      const WallBehind now = wall_behind(pot.clay, &pot.moisture, at);
+      // What it says of its slopes is what it does.
+      ASSERT_NEAR(now.thickness - last.thickness, 0.5 * dot(now.thicker + last.thicker, on), 2e-9);
+      ASSERT_NEAR(now.wetness - last.wetness, 0.5 * dot(now.wetter + last.wetter, on), 1e-6);
+      ASSERT_LT(length(now.thicker - last.thicker), 5e-4) << "at " << at.y;
+      ASSERT_LT(length(now.wetter - last.wetter), 0.1) << "at " << at.y;
       last = now;
     }
   }
@@ -240,11 +271,58 @@ TEST(Walls, AreFeltAsMoreByNoMoreThanTheOtherHandHoldsMore) {
 TEST(Walls, TheFootHoldsThemByNoStep) {
   const Clay clay = tapered();
   const double top = clay.floor_top();
-  EXPECT_EQ(clear_of_foot(clay, top - 0.01), 0.0);
-  EXPECT_EQ(clear_of_foot(clay, top), 0.0);
-  EXPECT_EQ(clear_of_foot(clay, top + 0.008), 1.0);
-  for (double up = 0.0; up < 0.01; up += 1e-6)
-    ASSERT_NEAR(clear_of_foot(clay, top + up), clear_of_foot(clay, top + up + 1e-6), 2e-4);
+  EXPECT_EQ(clear_of_foot(clay, top - 0.01).share, 0.0);
+  EXPECT_EQ(clear_of_foot(clay, top).share, 0.0);
+  EXPECT_EQ(clear_of_foot(clay, top + 0.008).share, 1.0);
+  for (double up = -0.001; up < 0.01; up += 1e-6) {
+    const ClearOfFoot here = clear_of_foot(clay, top + up);
+    const ClearOfFoot next = clear_of_foot(clay, top + up + 1e-6);
+    ASSERT_NEAR(next.share - here.share, 0.5e-6 * (here.rise + next.rise), 1e-9);
+    ASSERT_NEAR(next.rise, here.rise, 0.2);
+  }
+}
+
+// What a wall that bends stores less, added up over the depth. A ball's push on an even face is the
+// sum of the elements' less what they lose aside.
+double stored_less(double alone, double clear, double bears, double depth, double radius) {
+  const auto normal = [radius](double l) {
+    return radius > 0.0 ? l * l * (radius - l / 3.0) : std::pow(l, 1.5);
+  };
+  const auto push = [radius](double l) {
+    const double h = radius - l;
+    return radius > 0.0 ? 2.0 / radius *
+                              (radius * radius * radius * radius / 4.0 -
+                               h * radius * radius * radius / 3.0 + h * h * h * h / 12.0)
+                        : std::pow(l, 1.5);
+  };
+  double sum = 0.0;
+  constexpr int kParts = 20000;
+  for (int n = 0; n < kParts; ++n) {
+    const double l = (n + 0.5) / kParts * depth;
+    const double all = clear * alone * normal(l) / normal(depth);
+    sum += depth / kParts * push(l) / normal(l) * (all - wall_push(all, bears, 0.0));
+  }
+  return sum;
+}
+
+TEST(Walls, StoreLessWhereTheyBendBySlopesThatAreThoseOfTheSum) {
+  for (const double radius : {0.008, 0.018, 0.0})
+    for (const double depth : {0.0005, 0.003, 0.007})
+      for (const double alone : {0.1, 1.0, 8.0})
+        for (const double bears : {0.2, 1.0, 30.0})
+          for (const double clear : {0.1, 0.5, 0.9}) {
+            const BendSlopes slopes = bend_slopes(alone, clear, bears, depth, radius);
+            const auto less = [&](double c, double p) {
+              return stored_less(alone, c, p, depth, radius);
+            };
+            const double by_clear = (less(clear + 1e-3, bears) - less(clear - 1e-3, bears)) / 2e-3;
+            const double by_bears =
+                (less(clear, 1.001 * bears) - less(clear, 0.999 * bears)) / (0.002 * bears);
+            const double whole = alone * depth;
+            ASSERT_NEAR(slopes.by_clear, by_clear, 0.002 * whole) << bears << ' ' << clear;
+            ASSERT_NEAR(slopes.by_bears, by_bears, 0.02 * depth) << bears << ' ' << clear;
+          }
+  EXPECT_EQ(bend_slopes(1.0, 0.0, 1.0, 0.003, 0.008).by_clear, 0.0) << "all foot";
 }
 
 TEST(Walls, WhateverHandsDoNoFaceCrossesTheOther) {
