@@ -10,7 +10,8 @@
 //     template <WallSide side> FacingInterval interval(Float8 cos, Float8 sin, Float8 beside)
 //     const;
 //     static constexpr bool kLeans = ...;  // what it feels is right also where it leans on a wall
-//     Float8 over_radius() const;          // with kLeans
+//     bool leans() const;                  // with kLeans, as is over_radius()
+//     Float8 over_radius() const;
 //   };
 //
 // and instantiates Kernel<SolidLaw<Shape>>. For *_lanes.cpp only.
@@ -141,12 +142,13 @@ struct SolidLaw {
     ONGGI_INLINE void react(RowSum& sum, Float8 given, Float8 press, const FacingMeeting& m,
                             Float8 c, Float8 s) const {
       Float8 weight = given;
-      if constexpr (Shape::kLeans) {
-        const Float8 deep = smaller(press * shape.over_radius(), all(1.0f));
-        const Float8 bent = all(1.0f) - deep * (all(0.5f) - all(0.21828f) * deep);
-        const Float8 facing = abs(m.x * c + m.z * s);
-        weight = given * bent / larger(facing, all(kLeastFacing));
-      }
+      if constexpr (Shape::kLeans)
+        if (shape.leans()) {
+          const Float8 deep = smaller(press * shape.over_radius(), all(1.0f));
+          const Float8 bent = all(1.0f) - deep * (all(0.5f) - all(0.21828f) * deep);
+          const Float8 facing = abs(m.x * c + m.z * s);
+          weight = given * bent / larger(facing, all(kLeastFacing));
+        }
       sum.weight = sum.weight + weight;
       sum.x = sum.x + weight * m.x;
       sum.y = sum.y + weight * m.y;

@@ -42,10 +42,15 @@ class WholeKiosk : public OneJar {
     kiosk_->visit().activate(control, now_);
     frame();
   }
-  /// The beginning of a stroke, so that there is a pot to call done.
+  /// The beginning of a stroke, at the clay's own pace, so that there is a pot to call done.
   void touch_clay() {
     press("throw.show");
-    until([&] { return kiosk_->wheel_host().status().feedback.hand[0].contact; });
+    const auto touched = [&] { return kiosk_->wheel_host().status().feedback.hand[0].contact; };
+    for (int n = 0; n < 500 && !touched(); ++n) {
+      kiosk_->advance(40);
+      kiosk_->frame(now_ += 0.04, false);
+    }
+    ASSERT_TRUE(touched());
     frame();
   }
   /// From attract to a pot whose keepsake is on its way, by a hand of its choice. `last`: what is
