@@ -6,18 +6,23 @@ namespace {
 struct CapsuleShape {
   using Body = body::Capsule;
   static constexpr bool kLeans = true;
+  // Elements do not resolve the print of a thinner one, as of a needle.
+  static constexpr float kThin = 0.002f;  // m
+  bool thick;
   RodLanes rod;
   Float8 length, end_x, end_z;
   Float8 tip_circle, end_circle;  // radii of the balls' sections
 
   ONGGI_INLINE explicit CapsuleShape(const Body::Section& in)
-      : rod(in.rod),
+      : thick(in.rod.radius >= kThin),
+        rod(in.rod),
         length(all(in.length)),
         end_x(all(in.end_x)),
         end_z(all(in.end_z)),
         tip_circle(circle(in.rod.radius, in.rod.my)),
         end_circle(circle(in.rod.radius, in.end_y)) {}
 
+  ONGGI_INLINE bool leans() const { return thick; }
   ONGGI_INLINE Float8 over_radius() const { return rod.over_radius; }
   ONGGI_INLINE static Float8 circle(float radius, float y) {
     const float square = (radius - y) * (radius + y);

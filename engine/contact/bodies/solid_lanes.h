@@ -10,7 +10,8 @@
 //     template <WallSide side> FacingInterval interval(Float8 cos, Float8 sin, Float8 beside)
 //     const;
 //     static constexpr bool kLeans = ...;  // what it feels is right also where it leans on a wall
-//     Float8 over_radius() const;          // with kLeans
+//     bool leans() const;                  // with kLeans, as is over_radius()
+//     Float8 over_radius() const;
 //   };
 //
 // and instantiates Kernel<SolidLaw<Shape>>. For *_lanes.cpp only.
@@ -137,20 +138,22 @@ struct SolidLaw {
     }
     // A body that leans on the wall (Shape::kLeans) feels the pressure of the edge's law on its own
     // surface (crown.h): an element's share of that surface is larger by 1 over how squarely it
-    // faces the ray. Without this the sum would push the body along an even wall.
-    ONGGI_INLINE void react(RowSum& sum, Float8 given, Float8 press, const FacingMeeting& m,
+    // faces the ray. Without this the sum would push the body along an even wall. The sum of normal
+    // forces stays that of the elements.
+    ONGGI_INLINE void react(RowSum& sum, Float8 weight, Float8 press, const FacingMeeting& m,
                             Float8 c, Float8 s) const {
-      Float8 weight = given;
-      if constexpr (Shape::kLeans) {
-        const Float8 deep = smaller(press * shape.over_radius(), all(1.0f));
-        const Float8 bent = all(1.0f) - deep * (all(0.5f) - all(0.21828f) * deep);
-        const Float8 facing = abs(m.x * c + m.z * s);
-        weight = given * bent / larger(facing, all(kLeastFacing));
-      }
+      Float8 felt = weight;
+      if constexpr (Shape::kLeans)
+        if (shape.leans()) {
+          const Float8 deep = smaller(press * shape.over_radius(), all(1.0f));
+          const Float8 bent = all(1.0f) - deep * (all(0.5f) - all(0.21828f) * deep);
+          const Float8 facing = abs(m.x * c + m.z * s);
+          felt = weight * bent / larger(facing, all(kLeastFacing));
+        }
       sum.weight = sum.weight + weight;
-      sum.x = sum.x + weight * m.x;
-      sum.y = sum.y + weight * m.y;
-      sum.z = sum.z + weight * m.z;
+      sum.x = sum.x + felt * m.x;
+      sum.y = sum.y + felt * m.y;
+      sum.z = sum.z + felt * m.z;
     }
   };
 

@@ -105,6 +105,14 @@ ToolPlace pressing(const ToolShape& shape, const ToolSize& size, double outer, d
   return place;
 }
 
+// What a fingertip feels of an element's k_A l A: p of engine/docs/contact.md, on the tool's own
+// surface, which has `out` for a normal. `deep`: l over the radius.
+double on_its_own_surface(double deep, Vec3 out, double phi) {
+  const double x = std::min(deep, 1.0);
+  const double facing = std::fabs(out.x * std::cos(phi) + out.z * std::sin(phi));
+  return (std::exp(x) - 1.0 - x * x) / x / std::max(facing, 0.25);
+}
+
 void agrees_with_a_ray_march(std::string_view name, const Distance& distance) {
   const ToolShape& shape = shape_of(name);
   const double gone = 1.0 - std::exp(-kSeconds / kClay.relaxation_time);
@@ -120,6 +128,7 @@ void agrees_with_a_ray_march(std::string_view name, const Distance& distance) {
     const Press press = shape.press(clay, side, place, size, kSeconds, kClay);
     Vec3 force;
     double normal = 0.0;
+    const bool leans = shape.body == BodyKind::capsule && size.radius >= 0.002;
     double edges = 0.0;  // what elements that are covered in part may add or leave out
     const double turn = 2.0 * kPi / clay.sectors();
     for (int j = clay.floor_rows(); j < clay.rows(); ++j) {
@@ -178,7 +187,8 @@ void agrees_with_a_ray_march(std::string_view name, const Distance& distance) {
         normal += part;
         // Next to one that is not pressed the sum is mended by less than half of it.
         if (press_on(y, phi - turn) <= 0.0 || press_on(y, phi + turn) <= 0.0) edges += 0.5 * part;
-        force += -part * outer_normal(distance, place, size, end);
+        const Vec3 out = outer_normal(distance, place, size, end);
+        force += -(leans ? part * on_its_own_surface(middle / size.radius, out, phi) : part) * out;
       }
     }
     EXPECT_GT(press.touched, 0);
