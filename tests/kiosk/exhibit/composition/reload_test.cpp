@@ -26,7 +26,7 @@ class Museum {
     fs::copy("content/lessons", at("content/lessons"), fs::copy_options::recursive);
     fs::copy("content/glazes.toml", at("content/glazes.toml"));
     fs::copy("content/missions.toml", at("content/missions.toml"));
-    add_vessel("tea_bowl");
+    add_vessel("moon_jar");
   }
   fs::path at(const std::string& name) const { return folder_.path() / name; }
   fs::path exhibit() const { return at("config/exhibit.toml"); }
@@ -69,7 +69,7 @@ TEST(Reload, a_change_is_wanted_once_and_no_more_when_it_has_been_taken_up) {
   const Museum museum;
   Frames frames(museum, Reload::Shown::this_one);
   EXPECT_FALSE(frames.wanted());
-  museum.add_vessel("moon_jar");
+  museum.add_vessel("tea_bowl");
   EXPECT_TRUE(frames.soon_wanted());
   frames.take_up();
   museum.append("config/unfinished", "an editor's own");
@@ -131,7 +131,7 @@ TEST(Reload, what_breaks_while_the_files_are_read_for_the_first_time_was_not_wro
 TEST(Reload, an_exhibit_that_goes_away_is_not_wanted_though_a_good_change_came_before_it) {
   const Museum museum;
   Frames frames(museum, Reload::Shown::this_one);
-  museum.add_vessel("moon_jar");
+  museum.add_vessel("tea_bowl");
   ASSERT_TRUE(frames.soon_wanted());  // and a visitor plays on
   fs::rename(museum.exhibit(), museum.at("exhibit.kept"));
   frames.pass();
@@ -168,7 +168,7 @@ TEST(Reload, what_was_wrong_already_keeps_no_change_out) {
   const Museum museum;
   museum.append("config/exhibit.toml", "\ncrediit = \"us\"\n");
   Frames frames(museum, Reload::Shown::this_one);
-  museum.add_vessel("moon_jar");
+  museum.add_vessel("tea_bowl");
   EXPECT_TRUE(frames.soon_wanted());
 }
 
@@ -177,7 +177,7 @@ TEST(Reload, while_another_is_shown_the_museums_waits_for_a_change_that_mends_it
   museum.append("config/exhibit.toml", "\nshelf = [\n");
   Frames frames(museum, Reload::Shown::another);
   EXPECT_FALSE(frames.wanted());
-  museum.add_vessel("moon_jar");
+  museum.add_vessel("tea_bowl");
   frames.pass();
   EXPECT_FALSE(frames.wanted()) << "it is as broken as before";
   fs::copy_file("config/exhibit.toml", museum.exhibit(), fs::copy_options::overwrite_existing);
@@ -186,8 +186,8 @@ TEST(Reload, while_another_is_shown_the_museums_waits_for_a_change_that_mends_it
 
 TEST(Reload, while_another_is_shown_a_vessel_that_cannot_be_read_keeps_the_museums_not_out) {
   const Museum museum;
-  museum.add_vessel("moon_jar");  // which the exhibit's `order` names
-  museum.append("content/vessels/tea_bowl/vessel.toml", "\nbroken = [\n");
+  museum.add_vessel("tea_bowl");
+  museum.append("content/vessels/moon_jar/vessel.toml", "\nbroken = [\n");
   Frames frames(museum, Reload::Shown::another);
   museum.append("config/exhibit.toml", "\n# ours\n");
   EXPECT_TRUE(frames.soon_wanted());

@@ -42,15 +42,22 @@ class WholeKiosk : public OneJar {
     kiosk_->visit().activate(control, now_);
     frame();
   }
-  /// The beginning of a stroke, at the clay's own pace, so that there is a pot to call done.
-  void touch_clay() {
-    press("throw.show");
-    const auto touched = [&] { return kiosk_->wheel_host().status().feedback.hand[0].contact; };
-    for (int n = 0; n < 500 && !touched(); ++n) {
-      kiosk_->advance(40);
+  /// A finger on the pot for three seconds, so that there is a pot to call done.
+  void touch_clay(bool left_handed) {
+    view::InputEvent finger{.kind = view::InputEvent::Kind::pointer_down,
+                            .x = 640 * (left_handed ? 1.0 : 2.0) / 3,
+                            .y = 360 * 0.6,
+                            .glass = true};
+    kiosk_->visit().input(finger, now_);
+    int contacts = 0;
+    for (int n = 0; n < 75; ++n) {
+      kiosk_->advance(40);  // the clay's time goes as fast as the visitor's
       kiosk_->frame(now_ += 0.04, false);
+      contacts += kiosk_->wheel_host().status().feedback.hand[0].contact ? 1 : 0;
     }
-    ASSERT_TRUE(touched());
+    ASSERT_GT(contacts, 0);
+    finger.kind = view::InputEvent::Kind::pointer_up;
+    kiosk_->visit().input(finger, now_);
     frame();
   }
   /// From attract to a pot whose keepsake is on its way, by a hand of its choice. `last`: what is
@@ -67,7 +74,7 @@ class WholeKiosk : public OneJar {
     press("choose.throw");
     until([&] { return kiosk_->visit().sight().has_value(); });
     for (int n = 0; n < 100; ++n) frame();  // Four seconds: a shorter visit is counted apart.
-    touch_clay();
+    touch_clay(left_handed);
     press("throw.done");
     until([&] { return kiosk_->visit().control("result.keep").has_value(); });
     last();
