@@ -45,8 +45,8 @@ class WholeKiosk : public OneJar {
   /// A finger on the pot for three seconds, so that there is a pot to call done.
   void touch_clay(bool left_handed) {
     view::InputEvent finger{.kind = view::InputEvent::Kind::pointer_down,
-                            .x = 640 * (left_handed ? 1.0 : 2.0) / 3,
-                            .y = 360 * 0.6,
+                            .x = left_handed ? 640.0F / 3 : 1280.0F / 3,
+                            .y = 216.0F,
                             .glass = true};
     kiosk_->visit().input(finger, now_);
     int contacts = 0;
