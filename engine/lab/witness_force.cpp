@@ -168,18 +168,17 @@ double held_by_a_graze(double by) {
   return most;
 }
 
-// Work that clay gives on the closed way round `path`, as a share of the most that it held. From
-// place `stiff` on it is stiffer.
-double given_round(const std::vector<Vec3>& path, std::size_t stiff, double by) {
-  FrozenClay clay(lone_wall(400, 360, 0.035, 0.055).clay, kTipRadius, 5e6);
+// Work that clay gives on the closed way round `path`, as a share of the most that it held. Pushes
+// are `push(place, number of the corner that the way comes from)`.
+template <class Push>
+double given_round(const std::vector<Vec3>& path, Push&& push) {
   double gained = 0.0, stored = 0.0;
   Vec3 last;
   for (std::size_t n = 0; n < path.size(); ++n) {
-    if (n == stiff) clay.stiffen(by);
     const Vec3 way = path[(n + 1) % path.size()] - path[n];
     const int parts = static_cast<int>(std::ceil(length(way) / 2e-5));
     for (int k = 1; k <= parts; ++k) {
-      const Vec3 force = clay.push(path[n] + (1.0 * k / parts) * way);
+      const Vec3 force = push(path[n] + (1.0 * k / parts) * way, n);
       gained += dot(0.5 * (force + last), (1.0 / parts) * way);
       stored = std::max(stored, -gained);
       last = force;
@@ -188,16 +187,62 @@ double given_round(const std::vector<Vec3>& path, std::size_t stiff, double by) 
   return std::fabs(gained) / stored;
 }
 
+// From corner `stiff` on the clay is stiffer.
+double round_still_clay(const std::vector<Vec3>& path, std::size_t stiff, double by) {
+  FrozenClay clay(lone_wall(400, 360, 0.035, 0.055).clay, kTipRadius, 5e6);
+  bool stiffened = false;
+  return given_round(path, [&](Vec3 at, std::size_t corner) {
+    if (corner >= stiff && !stiffened) clay.stiffen(by), stiffened = true;
+    return clay.push(at);
+  });
+}
+
 double round_the_rim(double by) {
   const double low = kRimHeight + kTipRadius - 0.003, clear = kRimHeight + kTipRadius + 0.001;
-  return given_round({{0.066, clear, 0}, {0.066, low, 0}, {0.045, low, 0}, {0.045, clear, 0}}, 2,
-                     by);
+  return round_still_clay({{0.066, clear, 0}, {0.066, low, 0}, {0.045, low, 0}, {0.045, clear, 0}},
+                          2, by);
 }
 
 double round_below_the_rim(double by) {
   const double low = kRimHeight - 0.010, clear = kRimHeight + kTipRadius + 0.001;
-  return given_round({{0.064, low, 0}, {0.060, low, 0}, {0.060, clear, 0}, {0.064, clear, 0}}, 1,
-                     by);
+  return round_still_clay({{0.064, low, 0}, {0.060, low, 0}, {0.060, clear, 0}, {0.064, clear, 0}},
+                          1, by);
+}
+
+constexpr double kClearOut = 0.055 + kTipRadius + 0.002, kDeepIn = 0.055 + kTipRadius - 0.005;
+
+double round_the_foot(double by) {
+  return round_still_clay(
+      {{kClearOut, 0.02, 0}, {kDeepIn, 0.02, 0}, {kDeepIn, 0.001, 0}, {kClearOut, 0.001, 0}}, 2,
+      by);
+}
+
+// The same of hand 0 in a scene, from outside.
+double round_a_scene(SceneDef def, const char* tool, const std::vector<Vec3>& path,
+                     std::size_t stiff, double by) {
+  def.clay.rows = 400;
+  def.clay.sectors = 360;
+  StillPair pair(def, by);
+  Hands hands = ball_at(path[0], SideWish::outside);
+  hands.hand[0].tool = tool_of(def, tool);
+  pair.step(hands, 0.0);
+  return given_round(path, [&](Vec3 at, std::size_t corner) {
+    hands.hand[0].position = at;
+    return pair.step(hands, corner >= stiff ? 1.0 : 0.0).hand[0].touch.push;
+  });
+}
+
+double a_fingertip_along_the_wall(double by) {
+  return round_a_scene(
+      still_clay(0.02), "fingertip",
+      {{kClearOut, 0.1, 0}, {kDeepIn, 0.1, 0}, {kDeepIn, 0.13, 0}, {kClearOut, 0.13, 0}}, 2, by);
+}
+
+double to_the_foot_of_a_thin_wall(double by) {
+  return round_a_scene(
+      thin_wall(), "sphere",
+      {{kClearOut, 0.028, 0}, {kDeepIn, 0.028, 0}, {kDeepIn, 0.0085, 0}, {kClearOut, 0.0085, 0}}, 2,
+      by);
 }
 
 // |H|^2 = 1 / (1 + (tan(pi f / rate) / tan(pi cutoff / rate))^4), of the answer to one pulse.
@@ -247,6 +292,15 @@ constexpr Witness kForce[] = {
     {"round the rim, from below it",
      "a closed path gives no work, as a share of what the clay held", kOnTheWay, 0.02, "",
      round_below_the_rim},
+    {"round a path across the wall's foot",
+     "a closed path gives no work, as a share of what the clay held", kOnTheWay, 0.02, "",
+     round_the_foot},
+    {"round a path along the wall, a fingertip",
+     "a closed path gives no work, as a share of what the clay held", kOnTheWay, 0.02, "",
+     a_fingertip_along_the_wall},
+    {"round a path to the foot of a thin wall",
+     "a closed path gives no work, as a share of what the clay held", kOnTheWay, 0.01, "",
+     to_the_foot_of_a_thin_wall},
     {"Butterworth's filter", "1 / sqrt(1 + (tan f / tan cutoff)^4), from its answer to a pulse",
      "the cutoff", 1e-11, "", a_butterworth},
 };
