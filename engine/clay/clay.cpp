@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "engine/clay/ray.h"
 #include "engine/clay/row_area.h"
@@ -191,13 +192,17 @@ bool Clay::renew_some(int element_budget) {
 
 Profile Clay::profile() const {
   std::vector<double> outer_means, inner_means;
+  double spread = 0.0;
   outer_means.reserve(count());
   inner_means.reserve(count());
   for (int j = 0; j < rows(); ++j) {
     outer_means.push_back(clay::row_mean(outer(j)));
     inner_means.push_back(clay::row_mean(inner(j)));
+    spread += clay::row_spread(outer(j), outer_means.back());
   }
-  return clay::outline_of(row_heights(), outer_means, inner_means, rim_height());
+  Profile out = clay::outline_of(row_heights(), outer_means, inner_means, rim_height());
+  out.out_of_round = std::sqrt(spread / (1.0 * rows() * sectors()));
+  return out;
 }
 
 double Clay::volume() const {

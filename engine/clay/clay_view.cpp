@@ -1,6 +1,7 @@
 #include "engine/clay/clay_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/clay/row_means.h"
 #include "engine/math/portable.h"
@@ -92,7 +93,11 @@ Profile ClayView::profile() const {
   const auto some = [this](const std::vector<double>& all) {
     return std::span(all).first(count());
   };
-  return clay::outline_of(some(middle_), some(mean_outer_), some(mean_inner_), rim_);
+  Profile out = clay::outline_of(some(middle_), some(mean_outer_), some(mean_inner_), rim_);
+  double spread = 0.0;
+  for (int j = 0; j < rows(); ++j) spread += clay::row_spread(outer(j), mean_outer(j));
+  if (rows() > 0) out.out_of_round = std::sqrt(spread / (1.0 * rows() * sectors()));
+  return out;
 }
 
 double ClayView::radius_at(double h, WallSide side) const {

@@ -63,7 +63,8 @@ class ClayView {
   double angle = 0.0;     ///< Its own turning frame, rad; the wheel's until it is cut free.
   double cut_free = 0.0;  ///< Share of the section that a wire has cut; at 1 it stands still.
 
-  /// The outline from the row means. Heights rise even while rows are in transit. O(rows).
+  /// The outline from the row means. Heights rise even while rows are in transit. O(rows x
+  /// sectors).
   Profile profile() const;
   /// The pot's capacity when filled to the brim, m^3: from the floor's upper face to the rim, or to
   /// the lowest torn ring. Each sector counts with its own inner radius (Lee et al. 2008: circular

@@ -8,6 +8,12 @@ double row_mean(std::span<const float> radii) noexcept {
   return std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
 }
 
+double row_spread(std::span<const float> radii, double mean) noexcept {
+  double squares = 0.0;
+  for (const float radius : radii) squares += (double{radius} - mean) * (double{radius} - mean);
+  return squares;
+}
+
 Profile outline_of(std::span<const double> middle, std::span<const double> outer,
                    std::span<const double> inner, double rim) {
   Profile profile;

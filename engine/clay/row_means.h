@@ -10,6 +10,9 @@ namespace onggi::clay {
 /// takes a row's mean from here, so that a pot has one outline, to the bit.
 double row_mean(std::span<const float> radii) noexcept;
 
+/// Sum of squares of a row's radii about their mean, m^2.
+double row_spread(std::span<const float> radii, double mean) noexcept;
+
 /// The outline of rows with middles `middle` (metres, at least one row) and mean radii `outer` and
 /// `inner` (0 if solid), up to `rim`. It stands on the wheel head and ends at the rim, half a row
 /// beyond the outermost middles. Rows out of order or above the rim are left out: a view may have

@@ -200,6 +200,7 @@ Dimensions dimensions(const Profile& p) {
 Measures compare(const Profile& target, const Profile& made, bool scale_free) {
   Measures m;
   m.scale = scale_free ? target.height() / made.height() : 1.0;
+  m.out_of_round = m.scale * made.out_of_round;
   const Scaled goal{target, 1.0};
   const Scaled pot{made, m.scale};
   const double top = std::max(goal.height(), pot.height());

@@ -43,8 +43,9 @@ struct Measures {
   /// RMS difference of how far the outlines turn from one twelfth of their length to the next,
   /// radians: 0 where they bend alike, whatever their width.
   double turning_rms = 0.0;
-  Dimensions target;  ///< Of the target, its own size.
-  Dimensions made;    ///< Of the pot, after `scale`; its opening is that over the target's heights.
+  double out_of_round = 0.0;  ///< Profile::out_of_round of the pot, after `scale`, metres.
+  Dimensions target;          ///< Of the target, its own size.
+  Dimensions made;  ///< Of the pot, after `scale`; its opening is that over the target's heights.
   /// How much of the target's opening the pot lacks, 0..1: 0 where it is as open or more so, 1
   /// where it is shut; 0 also where either's is not known, and where the target's own is shut or
   /// nearly: it has a lid.

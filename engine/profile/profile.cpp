@@ -50,12 +50,14 @@ Profile scaled(const Profile& p, double factor) {
     point.outer *= factor;
     point.inner *= factor;
   }
+  out.out_of_round *= factor;
   return out;
 }
 
 Profile resampled(const Profile& p, int n) {
   Profile out;
   out.inner_wall = p.inner_wall;
+  out.out_of_round = p.out_of_round;
   out.points.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {
     const double h = p.height() * i / (n - 1);

@@ -23,6 +23,9 @@ enum class InnerWall { measured, inferred, none };
 struct Profile {
   std::vector<ProfilePoint> points;
   InnerWall inner_wall = InnerWall::measured;
+  /// RMS distance of the outer face from a circle about the axis, over all heights, metres. 0 where
+  /// it is not known, as of a scan.
+  double out_of_round = 0.0;
 
   /// Metres from the standing surface to the rim.
   double height() const { return points.empty() ? 0.0 : points.back().height; }

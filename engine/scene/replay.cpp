@@ -193,6 +193,8 @@ void ReplayWriter::tick(const TickRecord& record) {
   tick_fields(keep, columns_.fields.back(), last_);
 }
 
+bool ReplayWriter::full() const { return columns_.fields.size() >= kMostTicks; }
+
 void ReplayWriter::note_hash(std::uint64_t state_hash) {
   notes_.push_back({columns_.fields.size(), state_hash});
 }

@@ -28,6 +28,8 @@ class ReplayWriter {
   ReplayWriter(const SceneDef& def, const std::string& vessel_id, std::uint64_t seed);
   void tick(const TickRecord& record);
   void note_hash(std::uint64_t state_hash);
+  /// Whether one more tick would make it a replay that nobody opens: see Replay.
+  bool full() const;
   /// The replay so far, ended with the final hash. `glaze`: id of the fired glaze; empty if not
   /// fired.
   std::vector<std::byte> finish(std::uint64_t state_hash, const std::string& glaze = {}) const;

@@ -15,7 +15,6 @@ using settings::Mission;
 constexpr double kHalfVolume = 0.25;
 constexpr double kHalfBound = 0.125;  // share of a bound at which half of the points are lost
 constexpr double kNearEnough = 0.03;  // share of the wanted figure: no advice below it
-constexpr double kPerfect = 97.0;     // points from which on there is no advice
 
 /// How far `figure` is outside its bounds, as a share of the bound; below 0: too small.
 double beyond(double figure, const std::optional<Mission::Described::Bounds>& bounds) {
@@ -94,7 +93,7 @@ Score judge_described(const Mission::Described& wanted, const Figures& figures, 
   score.measures = compare(made, made, true);
   score.asked = asked_of(wanted, figures);
   if (const std::string worst = most_off(wanted, figures);
-      score.points <= kPerfect && worst != "mission.close")
+      score.stars < 5 && worst != "mission.close")
     score.try_next.push_back({worst, {}});
   return score;
 }

@@ -27,7 +27,7 @@ std::vector<Remark> asked_of(const settings::Mission::Described& wanted, const F
 /// Judges a pot by figures, without a vessel: 100 points if it holds the wanted volume and keeps
 /// within its bounds. Half of the points are lost if the volume is a quarter off, or if a bound is
 /// missed by an eighth; the factors multiply. `Score::asked` has each figure beside the wanted one,
-/// and `try_next` has the largest fault, nothing above 97 points. Its `measures` compare `made`
+/// and `try_next` has the largest fault, nothing with five stars. Its `measures` compare `made`
 /// with itself. The same bits on every machine. Allocates.
 Score judge_described(const settings::Mission::Described& wanted, const Figures& figures,
                       const Profile& made, const settings::Rubric& rubric = {});

@@ -14,7 +14,9 @@ namespace {
 constexpr double kAlike = 0.025;
 constexpr double kOutlineAlike = 0.95;
 constexpr double kWallAlike = 0.85;
-constexpr double kWallUneven = 0.75;
+constexpr double kWallUneven = 0.75, kAsEven = 0.01;
+/// A pot that is further out of round is told so, last: its shape matters more. Share of the size.
+constexpr double kTrue = 0.0005;
 constexpr std::size_t kMost = 3;
 /// A named part counts as the largest difference from this share of the worst place on.
 constexpr double kAsMuch = 0.9;
@@ -199,10 +201,12 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
     found.push_back({opening_apart(m) / size,
                      {"remark.opening_narrow", {{"percent", whole(100.0 * m.opening_lacking)}}}});
   if (m.made.wall_mean > 0.0 &&
-      m.made.wall_evenness < std::min(kWallUneven, m.target.wall_evenness))
+      m.made.wall_evenness < std::min(kWallUneven, m.target.wall_evenness - kAsEven))
     found.push_back(
         {0.05 * (1.0 - m.made.wall_evenness),
          {"remark.wall_uneven", {{"percent", whole(100.0 * (1.0 - m.made.wall_evenness))}}}});
+
+  if (m.out_of_round > kTrue * size) found.push_back({0.0, {"remark.not_round", {}}});
 
   // The place where the outlines are furthest apart, unless a named part already covers it.
   const double worst = 2.0 * m.common_firm * m.target.height;
@@ -224,9 +228,9 @@ void take_back(std::vector<Remark>& alike, const Remark& largest) {
 }
 
 std::vector<std::string> remark_keys() {
-  std::vector<std::string> keys{"alike.outline", "alike.belly", "alike.mouth",
-                                "alike.foot",    "alike.neck",  "alike.height",
-                                "alike.wall",    "alike.start", "remark.wall_uneven"};
+  std::vector<std::string> keys{
+      "alike.outline", "alike.belly", "alike.mouth", "alike.foot",         "alike.neck",
+      "alike.height",  "alike.wall",  "alike.start", "remark.wall_uneven", "remark.not_round"};
   for (const char* family : {"remark.", "difference."})
     for (const char* ending :
          {"belly_wide", "belly_narrow", "belly_high", "belly_low", "neck_wide", "neck_narrow",

@@ -45,6 +45,7 @@ double points_of(const Measures& m, const Profile& target, bool scale_free,
   left *= after(rubric.foot, radius_apart(m.made.foot, m.target.foot));
   left *= after(rubric.curvature, m.turning_rms * 180.0 / portable::kPi);
   left *= after(rubric.opening, std::max(0.0, m.opening_lacking - kOpenEnough));
+  left *= after(rubric.round, m.out_of_round / size);
   if (!scale_free)
     left *= after(rubric.height, std::abs(m.made.height - m.target.height) / m.target.height);
   // A wall need not be more even than the vessel's own, if that is known.
@@ -73,7 +74,7 @@ Score judge(const Profile& target, const Profile& made, bool scale_free, double 
   const double scale = known ? true_scale : 1.0;
   score.largest = largest_difference(score.measures, scale_free, scale);
   if (score.largest) take_back(score.alike, *score.largest);
-  if (score.points <= 97.0) score.try_next = try_next(score.measures, scale_free, scale);
+  if (score.stars < 5) score.try_next = try_next(score.measures, scale_free, scale);
   if (known) return score;
   if (score.largest) score.largest = in_parts(*score.largest, score.measures, scale);
   for (Remark& remark : score.try_next) remark = in_parts(remark, score.measures, scale);

@@ -27,6 +27,7 @@ namespace onggi::score {
 ///   remark.tall {mm}          remark.short {mm}          height; never when scale-free
 ///   remark.opening_narrow {percent}   the way in, where it is narrowest, lacks so much
 ///   remark.opening_shut       it is closed over, or as good as
+///   remark.not_round          the wall does not run true
 ///   remark.wall_uneven {percent}   wall thickness varies by {percent} of its mean, whole number
 /// The largest difference, said as it is and not as advice, with the same endings and places:
 ///   difference.belly_wide ... difference.narrow, difference.tall, difference.short,
@@ -58,7 +59,7 @@ struct Score {
   std::vector<Remark> alike;      ///< What is alike, best first; one to three.
   std::optional<Remark> largest;  ///< The largest difference; absent if all are under 1 mm.
   std::vector<Remark> try_next;  ///< What to try, largest difference first; none to three, and none
-                                 ///< above 97 points.
+                                 ///< with five stars.
   /// For a pot that answers a description (described.h), each figure beside the wanted one:
   /// mission.holds {litres} {wanted}, in hundredths of a litre; mission.height and mission.mouth
   /// {mm} {least} {most}. `alike` is then empty.

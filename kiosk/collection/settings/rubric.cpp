@@ -29,7 +29,7 @@ RubricRead read_rubric(const std::filesystem::path& file) {
       for (std::size_t i = 0; i < 4; ++i) r.stars[i] = stars[i];
     else
       root.complain("stars", "stars is not four rising numbers up to 100.",
-                    "Write the points for two, three, four and five stars: [40, 60, 80, 97].");
+                    "Write the points for two, three, four and five stars: [40, 65, 88, 96].");
   }
   read_part(root.child("outline"), r.outline, 1.0, "");
   read_part(root.child("volume"), r.volume, 1.0, "");
@@ -40,6 +40,7 @@ RubricRead read_rubric(const std::filesystem::path& file) {
   read_part(root.child("curvature"), r.curvature, 180.0, "degrees");
   read_part(root.child("opening"), r.opening, 1.0, "");
   read_part(root.child("wall"), r.wall, 1.0, "");
+  read_part(root.child("round"), r.round, 0.1, "");
   read_part(root.child("height"), r.height, 1.0, "");
   auto worst = root.child("worst");
   worst.number("limit", r.worst.limit, 0.005, 1.0);

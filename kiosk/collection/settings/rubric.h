@@ -27,15 +27,16 @@ struct Rubric {
   Part curvature{0.05, 25.0};  ///< RMS difference of turning, degrees.
   /// Share of the vessel's opening that is missing, beyond 0.15; 0.85: closed.
   Part opening{0.50, 0.30};
-  Part wall{0.05, 0.40};    ///< Missing evenness / the vessel's own.
-  Part height{0.30, 0.10};  ///< Difference / the vessel's own, if size counts.
+  Part wall{0.05, 0.40};      ///< Missing evenness / the vessel's own.
+  Part round{0.10, 0.00075};  ///< RMS distance of the outer face from a circle / size.
+  Part height{0.30, 0.10};    ///< Difference / the vessel's own, if size counts.
   /// An outline that is `limit` of the height away at one place has at most `points` of 100.
   struct Worst {
     double limit = 0.05, points = 89.9;
     friend bool operator==(const Worst&, const Worst&) = default;
   } worst;
   bool size_counts = false;  ///< False: the pot is first scaled to the vessel's height.
-  std::array<double, 4> stars{40.0, 60.0, 80.0, 97.0};  ///< Points for two to five stars, rising.
+  std::array<double, 4> stars{40.0, 65.0, 88.0, 96.0};  ///< Points for two to five stars, rising.
   friend bool operator==(const Rubric&, const Rubric&) = default;
 };
 

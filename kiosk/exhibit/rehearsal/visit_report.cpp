@@ -46,6 +46,7 @@ Json json_of(const Measures& m) {
                        {"outline_overlap", m.outline_overlap},
                        {"outline_rms", m.outline_rms},
                        {"outline_worst", m.outline_worst},
+                       {"out_of_round_m", m.out_of_round},
                        {"outline_worst_at", m.outline_worst_at},
                        {"outline_worst_sign", m.outline_worst_sign},
                        {"outline_worst_firm", m.outline_worst_firm},

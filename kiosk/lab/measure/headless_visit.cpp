@@ -41,17 +41,6 @@ struct RoughMeasure final : view::TextMeasure {
   }
 };
 
-double out_of_round(const ClayView& clay) {
-  double squares = 0;
-  int count = 0;
-  for (int j = 0; j < clay.rows(); ++j) {
-    const double mean = clay.mean_outer(j);
-    for (const float r : clay.outer(j)) squares += (r - mean) * (r - mean);
-    count += clay.sectors();
-  }
-  return count > 0 ? std::sqrt(squares / count) : 0.0;
-}
-
 /// A visit on its own wheel.
 class Walk {
  public:
@@ -144,15 +133,15 @@ class Walk {
   screens::Visit visit_;
 };
 
-PotLook look_at(const screens::ShelfCard& card, const Profile& made, const ClayView& clay,
-                const settings::Rubric& rubric, double seconds) {
+PotLook look_at(const screens::ShelfCard& card, const Profile& made, const settings::Rubric& rubric,
+                double seconds) {
   const auto score = score::judge(card.target, made, !rubric.size_counts,
                                   card.scale > 0 ? 1 / card.scale : 1, rubric);
   return {seconds,
           score.points,
           score.stars,
           rehearsal::smoothness(made),
-          out_of_round(clay),
+          made.out_of_round,
           1.0 - score.measures.opening_lacking,
           score.measures.made.wall_mean};
 }
@@ -208,8 +197,7 @@ Result<HeadlessOutcome> HeadlessVisits::naive(int card, std::uint64_t seed,
   double looked = -kOften, trouble = -1;
   Profile lump, made;
   const auto note = [&](double seconds) {
-    out.looks.push_back(
-        look_at(which, made, walk.wheel_host.view().clay, exhibit_.rubric, seconds));
+    out.looks.push_back(look_at(which, made, exhibit_.rubric, seconds));
   };
   while (out.looks.size() < moments.size() && walk.now < begun + moments.back() + kGrace) {
     walk.frame();
@@ -367,10 +355,9 @@ Result<HeadlessOutcome> HeadlessVisits::careful(int card, std::uint64_t seed) co
   wheel_host.pause(true);
   while (!wheel_host.refresh_every_row()) wheel_host.advance(1);
   wheel_host.collect();
-  const ClayView& clay = wheel_host.view().clay;
-  const Profile made = clay.profile();
+  const Profile made = wheel_host.view().clay.profile();
   HeadlessOutcome out{which.vessel->id, seed, {}, std::nullopt, 0};
-  out.looks.push_back(look_at(which, made, clay, exhibit_.rubric, seconds));
+  out.looks.push_back(look_at(which, made, exhibit_.rubric, seconds));
   return out;
 }
 

@@ -73,8 +73,11 @@ bool WheelHost::put_back() {
 
 void WheelHost::note_records(Pot& pot) {
   TickRecord record;
-  while (pot.records.try_dequeue(record))
+  while (pot.records.try_dequeue(record)) {
+    // Somebody who stays for over an hour gets the pot without its replay, and memory has an end.
+    if (recording_ && recording_->full()) recording_.reset();
     if (recording_) recording_->tick(record);
+  }
 }
 
 int WheelHost::collect() {

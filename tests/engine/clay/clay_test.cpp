@@ -48,6 +48,19 @@ TEST(Clay, ItsProfileStandsOnTheWheelHeadAndEndsAtTheRim) {
   EXPECT_EQ(p.inner_at(0.0), 0.0);
 }
 
+// The root mean square of a sine is its height over the root of two.
+TEST(Clay, ItsProfileTellsHowFarItIsOutOfRoundOverAllHeights) {
+  Clay clay = lump();
+  EXPECT_EQ(clay.profile().out_of_round, 0.0);
+  for (int j = 0; j < clay.rows(); j += 2)
+    for (std::size_t i = 0; i < clay.outer_mut(j).size(); ++i)
+      clay.outer_mut(j)[i] += static_cast<float>(
+          0.002 * std::sin(2.0 * portable::kPi * static_cast<double>(i) / 120.0));
+  EXPECT_NEAR(clay.profile().out_of_round, 0.001, 1e-7) << "half of the rows";
+  EXPECT_NEAR(scaled(clay.profile(), 3.0).out_of_round, 0.003, 3e-7);
+  EXPECT_EQ(resampled(clay.profile(), 9).out_of_round, clay.profile().out_of_round);
+}
+
 RC_GTEST_PROP(ClayProperty, TheFirstRowAboveAHeightIsTheLowestWhoseMiddleLiesAboveIt, ()) {
   ClayDef def;
   def.rows = *rc::gen::inRange(8, 300);

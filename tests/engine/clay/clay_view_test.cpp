@@ -64,6 +64,7 @@ RC_GTEST_PROP(ClayViewProperty, ItsOutlineIsTheClaysToTheBitWhateverWasPressed, 
     RC_ASSERT(seen.points[n].height == real.points[n].height);
     RC_ASSERT(seen.points[n].outer == real.points[n].outer);
     RC_ASSERT(seen.points[n].inner == real.points[n].inner);
+    RC_ASSERT(seen.out_of_round == real.out_of_round);
   }
 }
 

@@ -241,7 +241,12 @@ TEST(Replay, NoTickOneTickAndAMillionComeBack) {
 
 TEST(Replay, MoreThanFourMillionTicksAreRefusedAsTooLong) {
   ReplayWriter writer(small(), "x", 1);
-  for (int n = 0; n < 4'000'001; ++n) writer.tick({});
+  for (int n = 0; n < 4'000'000; ++n) {
+    ASSERT_FALSE(writer.full());
+    writer.tick({});
+  }
+  EXPECT_TRUE(writer.full());
+  writer.tick({});
   const Result<Replay> replay = Replay::read(writer.finish(0), "long");
   ASSERT_FALSE(replay);
   EXPECT_NE(replay.error().what.find("longer than an hour"), std::string::npos);

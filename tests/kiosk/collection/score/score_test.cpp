@@ -109,6 +109,30 @@ TEST(Score, a_bowl_is_no_answer_to_a_bottle) {
   EXPECT_LT(judge(shapes::jar(), shapes::bottle()).points, 50.0);
 }
 
+// What parts a hand that lets go slowly from a rough one: 0.1 mm and 0.3 mm, of a pot of 20 cm.
+TEST(Score, a_pot_that_does_not_run_true_costs_points_and_is_told_so_after_its_shape) {
+  for (const Target& t : targets()) {
+    const double size =
+        std::sqrt(t.profile.height() * std::max(t.profile.height(), 2.0 * t.profile.max_radius()));
+    double last = 100.1;
+    for (const double off : {0.0, 0.0002, 0.0005, 0.001, 0.002, 0.004}) {
+      Profile made = t.profile;
+      made.out_of_round = off * size;
+      const Score s = judge(t.profile, scaled(made, 0.7));
+      EXPECT_LT(s.points, last) << t.name << ", " << off;
+      last = s.points;
+      EXPECT_EQ(s.stars == 5, off < 0.0008) << t.name << ", " << off;
+      if (s.stars == 5) continue;
+      ASSERT_EQ(s.try_next.size(), 1u);
+      EXPECT_EQ(s.try_next[0].key, "remark.not_round");
+    }
+    EXPECT_GT(last, 89.9) << "a tenth at the most";
+  }
+  Profile made = shapes::bottle();
+  made.out_of_round = 0.01;
+  for (const Remark& r : judge(shapes::jar(), made).try_next) EXPECT_NE(r.key, "remark.not_round");
+}
+
 TEST(Score, stars_go_with_points) {
   int last = 5;
   std::set<int> seen;

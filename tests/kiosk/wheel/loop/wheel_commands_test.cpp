@@ -173,6 +173,22 @@ TEST(Potter, OnceTheViewIsLevelAnUntouchedPotSendsNoRows) {
   EXPECT_EQ(wheel_host.collect(), 0);
 }
 
+TEST(Potter, AVisitOfOverAnHourKeepsNoReplay) {
+  SteppedWheel wheel_host;
+  SceneDef def;
+  def.clay.rows = 8;
+  def.clay.sectors = 16;
+  wheel_host.start(pot(def));
+  wheel_host.record("test", 7);
+  const auto go_on = [&](int seconds) {
+    for (int n = 0; n < seconds; n += 10) wheel_host.advance(10'000), wheel_host.collect();
+  };
+  go_on(4000);
+  EXPECT_FALSE(wheel_host.replay(0).empty());
+  go_on(10);
+  EXPECT_TRUE(wheel_host.replay(0).empty());
+}
+
 TEST(Potter, ThePotThrownOnTheThreadIsTheOneItsReplayThrows) {
   LoopThread wheel_host;
   const SceneDef def = small_scene();
