@@ -191,6 +191,14 @@ bool KeepsakeNames::matches(const std::string& id, const std::string& typed) con
   });
 }
 
+bool KeepsakeNames::is_called(const std::string& id, const std::string& typed) const {
+  const std::string wanted = folded(typed);
+  return !wanted.empty() &&
+         (folded(id) == wanted || std::ranges::any_of(languages_, [&](const std::string& code) {
+            return folded(said(id, code)) == wanted;
+          }));
+}
+
 std::filesystem::path names_file(const std::filesystem::path& exhibit) {
   std::error_code ignored;
   const std::filesystem::path site = files::site_exhibit(exhibit).parent_path().parent_path();

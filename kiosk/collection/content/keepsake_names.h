@@ -33,6 +33,8 @@ class KeepsakeNames {
   /// True if `typed` is in the name of `id` in any language: a word of it is enough. Case, accents,
   /// spaces and signs do not count.
   bool matches(const std::string& id, const std::string& typed) const;
+  /// True if `typed` is all of the name `id`, in any language, in whatever case.
+  bool is_called(const std::string& id, const std::string& typed) const;
   const std::vector<std::string>& languages() const { return languages_; }
 
  private:

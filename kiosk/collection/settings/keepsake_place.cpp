@@ -10,19 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path real(const fs::path& path) {
-  std::error_code error;
-  fs::path found = fs::weakly_canonical(fs::absolute(path, error), error);
-  if (error) found = path.lexically_normal();
-  return found.has_filename() ? found : found.parent_path();
-}
-
-/// `inner` is `outer` or lies in it; both real.
-bool is_within(const fs::path& inner, const fs::path& outer) {
-  const auto apart = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
-  return apart.first == outer.end();
-}
-
 /// Why no folder `path` can be made; "" if one can, as far as names tell.
 std::string impossible(const fs::path& path) {
   constexpr std::size_t kLongestName = 255,
@@ -36,6 +23,8 @@ std::string impossible(const fs::path& path) {
     up /= part;
     std::error_code error;
     const auto kind = fs::status(up, error).type();
+    if (error == std::errc::too_many_symbolic_link_levels)
+      return up.string() + " is a link that leads back to itself.";
     if (kind != fs::file_type::directory && kind != fs::file_type::not_found &&
         kind != fs::file_type::none && up != path)
       return up.string() + " is a file, so no folder can lie in it.";
@@ -50,25 +39,31 @@ void check_keepsake_place(toml::TomlReader::Table keepsake, const Exhibit& exhib
   const std::string remedy = "Name a folder of its own, such as folder = \"../keepsakes\".";
   if (const std::string why = impossible(exhibit.keepsake.folder); !why.empty())
     return keepsake.complain("folder", why, remedy);
-  const fs::path keeps = real(exhibit.keepsake.folder), shelf = real(exhibit.shelf);
-  std::vector<fs::path> content{shelf};
-  if (!language_folder.empty()) content.push_back(real(language_folder));
+  const fs::path& keeps = exhibit.keepsake.folder;
+  for (const char* system : {"/proc", "/sys", "/dev"})
+    if (files::is_within(keeps, system))
+      return keepsake.complain(
+          "folder", std::string(system) + " is the system's own: no file stays there.", remedy);
+  std::vector<fs::path> content{exhibit.shelf};
+  if (!language_folder.empty()) content.push_back(language_folder);
   // A site is copied whole as the last good exhibit: config/ and content/.
-  const fs::path site = real(exhibit.file).parent_path().parent_path();
+  const fs::path site = files::real_path(exhibit.file).parent_path().parent_path();
   if (const fs::path own = files::site_exhibit(exhibit.file);
-      !own.empty() && real(own) == real(exhibit.file)) {
+      !own.empty() && files::real_path(own) == files::real_path(exhibit.file)) {
     content.push_back(site / "config");
     content.push_back(site / "content");
   }
   for (const fs::path& folder : content)
-    if (is_within(keeps, real(folder)))
-      return keepsake.complain(
-          "folder",
-          "The keepsakes would lie in " + folder.string() + ", among what the museum shows.",
-          remedy);
-  if (is_within(shelf, keeps))
-    keepsake.complain(
-        "folder", "The shelf " + shelf.string() + " lies in the folder of the keepsakes.", remedy);
+    if (files::is_within(keeps, folder))
+      return keepsake.complain("folder",
+                               "The keepsakes would lie in " + files::real_path(folder).string() +
+                                   ", among what the museum shows.",
+                               remedy);
+  if (files::is_within(exhibit.shelf, keeps))
+    keepsake.complain("folder",
+                      "The shelf " + files::real_path(exhibit.shelf).string() +
+                          " lies in the folder of the keepsakes.",
+                      remedy);
 }
 
 }  // namespace onggi::settings

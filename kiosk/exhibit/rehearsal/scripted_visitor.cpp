@@ -14,6 +14,7 @@ namespace {
 constexpr double kInTheFire = 3.6, kOutOfIt = 5.0;  // s: the glowing pot, then the glazed one
 constexpr double kSurprise = 1.5;     // s of surprise before touching the offered button
 constexpr double kWorked = 0.004;     // m off the lump: the lump is smooth too, but it is no pot
+constexpr double kStuck = 60.0;       // s without any progress of the script
 constexpr double kKeepTimeout = 5.0;  // s of visit within which a save must begin
 }  // namespace
 
@@ -174,6 +175,14 @@ Result<void> ScriptedVisitor::on_throw(double now) {
   if (hand_ && !hand_->step(now - std::exchange(moved_at_, now), kiosk_.wheel_host()))
     return problem("the wheel", "It did not answer the scripted visitor within a second.",
                    "Look for a stuck 1 kHz loop.", 1);
+  if (progress() > furthest_) {
+    furthest_ = progress();
+    furthest_at_ = now;
+  } else if (progress() < 1.0 && now - furthest_at_ > kStuck) {
+    return problem("the script " + plan_.script,
+                   "It got no further for a minute: the wheel turns too slowly for it.",
+                   "Set max_speed in the scene's [wheel] to 1 or more.");
+  }
   if (!half_shown_ && progress() > 0.5) {
     half_shown_ = true;
     pass("throw");
@@ -200,7 +209,8 @@ Result<void> ScriptedVisitor::begin_throwing(double now) {
                                                                    ? VisitorsHand::By::pointer
                                                                    : VisitorsHand::By::device);
   playing_ = true;
-  entered_ = moved_at_ = now;
+  furthest_ = -1.0;
+  entered_ = moved_at_ = furthest_at_ = now;
   return {};
 }
 

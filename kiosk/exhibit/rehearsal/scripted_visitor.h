@@ -77,7 +77,8 @@ class ScriptedVisitor {
   screens::ScreenId screen_ = screens::ScreenId::attract;
   std::string then_;  ///< The control to touch in the next frame.
   double entered_ = -1, now_ = 0, moved_at_ = 0;
-  std::unique_ptr<VisitorsHand> hand_;  ///< Null if the loop plays the script.
+  double furthest_ = 0, furthest_at_ = 0;  // the script's progress, and when it last grew
+  std::unique_ptr<VisitorsHand> hand_;     ///< Null if the loop plays the script.
   bool label_open_ = false, playing_ = false, half_shown_ = false, touched_ = false,
        kept_seen_ = false;
   bool done_ = false;

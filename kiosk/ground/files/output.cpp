@@ -47,6 +47,10 @@ const char* name_of(Output::Kind kind) {
       return "sound in WAV";
     case Output::Kind::archive:
       return "packed archive";
+    case Output::Kind::png:
+      return "PNG";
+    case Output::Kind::stl:
+      return "binary STL";
     case Output::Kind::picture:
       break;
   }
@@ -69,6 +73,10 @@ const char* endings_of(Output::Kind kind) {
       return ".wav";
     case Output::Kind::archive:
       return ".tar.gz";
+    case Output::Kind::png:
+      return ".png";
+    case Output::Kind::stl:
+      return ".stl";
     case Output::Kind::picture:
       break;
   }
@@ -136,9 +144,12 @@ bool Output::clashes_with(const Output& other) const {
   if (to_stdout() || other.to_stdout()) return to_stdout() && other.to_stdout();
   const FileInfo mine = standing(where_), its = standing(other.where_);
   if (mine.there && its.there) return S_ISREG(mine.info.st_mode) && same_file(mine.info, its.info);
-  std::error_code ignored;
-  return mine.there == its.there &&
-         fs::weakly_canonical(where_, ignored) == fs::weakly_canonical(other.where_, ignored);
+  // A name of a file that is not there yet stays relative if it is not made absolute first.
+  const auto real = [](const std::string& where) {
+    std::error_code ignored;
+    return fs::weakly_canonical(fs::absolute(where, ignored), ignored);
+  };
+  return mine.there == its.there && real(where_) == real(other.where_);
 }
 
 Result<void> Output::check() const {

@@ -21,6 +21,8 @@ class Output {
     json,
     csv,
     picture,  ///< An SVG if the name ends in ".svg", else a PNG.
+    png,
+    stl,  ///< Binary, for a 3D printer.
     glb,
     wav,
     archive,  ///< Anything packed by gzip.

@@ -1,6 +1,7 @@
 #include "kiosk/ground/files/output_kind.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t kLongestJson = std::size_t{64} << 20;
 constexpr std::size_t kHead = 4096;
+constexpr std::string_view kPng = "\x89PNG\r\n";
 
 bool is_report(const std::string& text) {
   using Json = nlohmann::json;
@@ -55,6 +57,17 @@ std::string read_to(std::ifstream& in, std::size_t most) {
   return text;
 }
 
+/// A head of 80 bytes, the number of triangles, and 50 bytes for each.
+bool is_stl(std::ifstream& in, const std::string& head) {
+  if (head.size() < 84) return false;
+  std::uint64_t triangles = 0;
+  for (std::size_t n = 4; n-- > 0;)
+    triangles = triangles << 8 | static_cast<unsigned char>(head[80 + n]);
+  in.clear();
+  in.seekg(0, std::ios::end);
+  return static_cast<std::uint64_t>(in.tellg()) == 84 + 50 * triangles;
+}
+
 std::string ending_of(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](char c) {
@@ -87,7 +100,7 @@ constexpr Ending kEndings[] = {{".json", Output::Kind::json},
                                {".eps", {}},
                                {".gltf", {}},
                                {".obj", {}},
-                               {".stl", {}},
+                               {".stl", Output::Kind::stl},
                                {".ply", {}},
                                {".mp3", {}},
                                {".ogg", {}},
@@ -116,7 +129,9 @@ bool is_svg(const std::filesystem::path& file) { return ending_of(file) == ".svg
 bool name_agrees(const std::filesystem::path& file, Output::Kind kind) {
   const std::string ending = ending_of(file);
   const auto* const known = std::ranges::find(kEndings, ending, &Ending::text);
-  return known == std::end(kEndings) || known->kind == kind;
+  if (kind == Output::Kind::png && ending == ".svg") return false;
+  return known == std::end(kEndings) || known->kind == kind ||
+         (kind == Output::Kind::png && known->kind == Output::Kind::picture);
 }
 
 bool is_of_kind(const std::filesystem::path& file, Output::Kind kind) {
@@ -139,11 +154,15 @@ bool is_of_kind(const std::filesystem::path& file, Output::Kind kind) {
       return head.starts_with("RIFF") && head.substr(8, 4) == "WAVE";
     case Output::Kind::archive:
       return head.starts_with("\x1f\x8b");
+    case Output::Kind::stl:
+      return is_stl(in, head);
+    case Output::Kind::png:
+      return head.starts_with(kPng);
     case Output::Kind::picture:
       break;
   }
   if (is_svg(file)) return head.find("<svg") != std::string::npos;
-  return head.starts_with("\x89PNG\r\n");
+  return head.starts_with(kPng);
 }
 
 }  // namespace onggi::files

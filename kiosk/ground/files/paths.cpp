@@ -1,5 +1,7 @@
 #include "kiosk/ground/files/paths.h"
 
+#include <algorithm>
+
 namespace fs = std::filesystem;
 
 namespace onggi::files {
@@ -56,6 +58,18 @@ fs::path language_folder(const fs::path& file) {
     return own;
   const auto root = program_root();
   return root ? *root / "content" / "languages" : fs::path();
+}
+
+fs::path real_path(const fs::path& path) {
+  std::error_code error;
+  fs::path found = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (error) found = path.lexically_normal();
+  return found.has_filename() ? found : found.parent_path();
+}
+
+bool is_within(const fs::path& inner, const fs::path& outer) {
+  const fs::path lower = real_path(inner), upper = real_path(outer);
+  return std::mismatch(upper.begin(), upper.end(), lower.begin(), lower.end()).first == upper.end();
 }
 
 fs::path store_file(const fs::path& folder) { return folder / "onggi.sqlite"; }

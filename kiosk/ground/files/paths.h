@@ -22,6 +22,11 @@ std::filesystem::path site_exhibit(const std::filesystem::path& path);
 /// program. Empty if neither has one.
 std::filesystem::path language_folder(const std::filesystem::path& file);
 
+/// `path` with its links followed, as far as it is there, absolute, without a slash at its end.
+std::filesystem::path real_path(const std::filesystem::path& path);
+/// True if `inner` is `outer` or lies in it, links followed.
+bool is_within(const std::filesystem::path& inner, const std::filesystem::path& outer);
+
 /// The file of visit counts, beside the keepsakes in `folder`.
 std::filesystem::path store_file(const std::filesystem::path& folder);
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "kiosk/ground/files/files_read.h"
+#include "kiosk/ground/files/output.h"
 #include "kiosk/ground/files/printed.h"
 #include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/phone/server.h"
@@ -73,9 +74,19 @@ onggi::Result<int> give(const Arguments& a) {
 }
 
 onggi::Result<int> print(const Arguments& a) {
-  if (const auto written = onggi::souvenir::write_stl(a.stl, a.to); !written)
-    return tl::unexpected(written.error());
-  std::cout << a.to << '\n';
+  const onggi::files::Output to(onggi::files::Output::Kind::stl, a.to);
+  if (!to.wanted())
+    return onggi::problem("--to", "It is empty.", "Name a file, such as --to pot.stl.");
+  if (const auto good = to.check(); !good) {
+    // This program has no --force.
+    onggi::Problem problem = good.error();
+    if (problem.remedy.find("--force") != std::string::npos) problem.remedy = "Name another file.";
+    return tl::unexpected(problem);
+  }
+  const auto stl = onggi::souvenir::stl_of_visit(a.stl);
+  if (!stl) return tl::unexpected(stl.error());
+  if (const auto written = to.write(*stl); !written) return tl::unexpected(written.error());
+  if (!to.to_stdout()) std::cout << a.to << '\n';
   return 0;
 }
 

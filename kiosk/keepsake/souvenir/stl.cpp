@@ -13,7 +13,6 @@
 #include <string>
 
 #include "kiosk/ground/files/byte_writer.h"
-#include "kiosk/ground/files/durable_file.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
 namespace onggi::souvenir {
@@ -214,7 +213,7 @@ bool StlOfPot::read(const files::Descriptor& glb, std::uint64_t from,
   return true;
 }
 
-Result<void> write_stl(const std::filesystem::path& visit, const std::filesystem::path& file) {
+Result<std::vector<std::byte>> stl_of_visit(const std::filesystem::path& visit) {
   const std::filesystem::path glb = visit / kPotGlb;
   const files::Descriptor opened(::open(glb.c_str(), O_RDONLY | O_CLOEXEC));
   const auto stl = opened.open() ? StlOfPot::of(opened) : std::nullopt;
@@ -222,7 +221,7 @@ Result<void> write_stl(const std::filesystem::path& visit, const std::filesystem
   if (!stl || !stl->read(opened, 0, bytes))
     return problem(glb.string(), "This is not the model of a kept pot.",
                    "Name the folder of a visit that onggi kept.");
-  return files::write_durably(file, bytes);
+  return bytes;
 }
 
 }  // namespace onggi::souvenir

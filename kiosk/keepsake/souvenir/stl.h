@@ -44,8 +44,7 @@ class StlOfPot {
   std::vector<Part> parts_;
 };
 
-/// Writes the STL of the visit in the folder `visit` to `file`, whole or not at all. Problem: exit
-/// 2 if there is no pot of ours, exit 1 if the disk refuses.
-Result<void> write_stl(const std::filesystem::path& visit, const std::filesystem::path& file);
+/// The STL of the visit in the folder `visit`. Problem, exit 2: there is no pot of ours.
+Result<std::vector<std::byte>> stl_of_visit(const std::filesystem::path& visit);
 
 }  // namespace onggi::souvenir

@@ -59,6 +59,18 @@ bool holds_only_ours(const fs::path& folder, std::uintmax_t& bytes) {
   return !error;
 }
 
+/// True if `folder` is a real folder (no link) with a file of ours.
+bool holds_one_of_ours(const fs::path& folder) {
+  std::error_code error;
+  if (fs::symlink_status(folder, error).type() != fs::file_type::directory) return false;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (is_ours(entry->path().filename().string()) &&
+        fs::symlink_status(entry->path(), error).type() == fs::file_type::regular)
+      return true;
+  return false;
+}
+
 /// The date from which the visit in `folder` ages, as in a name: its own date, or, if a wrong clock
 /// gave it a date years back, the time when a tidying with a right clock first saw it. That tidying
 /// leaves its time on the folder.
@@ -133,8 +145,7 @@ std::vector<NamedVisit> named_visits(const fs::path& folder) {
   fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    std::uintmax_t bytes = 0;
-    if (!is_visit_name(name) || name.ends_with(kPartial) || !holds_only_ours(entry->path(), bytes))
+    if (!is_visit_name(name) || name.ends_with(kPartial) || !holds_one_of_ours(entry->path()))
       continue;
     NamedVisit visit{name, {}};
     if (const auto words = files::read_beneath(folder / name, kSpoken, kMostOfAName))

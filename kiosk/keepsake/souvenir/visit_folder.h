@@ -54,7 +54,8 @@ struct NamedVisit {
   std::string visit;   ///< Its folder's name.
   std::string spoken;  ///< The id of its name; "" if it has none.
 };
-/// Every whole visit in `folder`, newest first. Links are not followed. Blocks on the disk.
+/// Every whole visit in `folder`, newest first, also one with files of the museum beside ours.
+/// Links are not followed. Blocks on the disk.
 std::vector<NamedVisit> named_visits(const std::filesystem::path& folder);
 
 /// Removes a visit: renames it first, so that a power cut leaves a leftover and not half a visit.

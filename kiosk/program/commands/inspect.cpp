@@ -21,7 +21,7 @@ using files::Json;
 struct InspectArguments {
   std::string file, node, up;
   files::Output json{files::Output::Kind::json};
-  files::Output plot{files::Output::Kind::picture};
+  files::Output plot{files::Output::Kind::png};
 };
 
 const char* name_of(InnerWall wall) {

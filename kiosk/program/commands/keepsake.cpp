@@ -39,6 +39,14 @@ struct KeepsakeArguments {
   std::string name, to, printer, language, keepsakes, config;
 };
 
+/// "2026-05-04_1415" of "2026-05-04 14:15", as it is listed.
+std::string stamp_of(std::string typed) {
+  if (typed.size() <= 10 || typed[10] != ' ') return typed;
+  typed[10] = '_';
+  std::erase(typed, ':');
+  return typed;
+}
+
 /// The keepsakes of a kiosk, with the words of their names.
 struct Kept {
   fs::path folder;
@@ -56,11 +64,12 @@ struct Kept {
                            stamp.substr(13, 2) + ':' + stamp.substr(15, 2) + "  " + said(one) +
                            "  " + stamp.substr(18));
   }
-  /// By a word or all of its name in any language, or by how its folder's name begins.
+  /// By a word or all of its name in any language, or by how its time begins.
   std::vector<souvenir::NamedVisit> called(const std::string& typed) const {
     std::vector<souvenir::NamedVisit> found;
     for (const souvenir::NamedVisit& one : visits)
-      if (one.visit.starts_with(typed) || (!one.spoken.empty() && names.matches(one.spoken, typed)))
+      if (one.visit.starts_with(stamp_of(typed)) ||
+          (!one.spoken.empty() && names.matches(one.spoken, typed)))
         found.push_back(one);
     return found;
   }
@@ -119,6 +128,9 @@ Result<int> copy(const KeepsakeArguments& arguments) {
   if (!fs::is_directory(arguments.to, error))
     return problem(arguments.to, "There is no such folder.",
                    "Plug in the stick, and name the folder that it is opened as.");
+  if (files::is_within(arguments.to, kept->folder))
+    return problem(arguments.to, "This folder lies among the keepsakes.",
+                   "Name a folder elsewhere, such as that of a stick.");
   const fs::path to = fs::path(arguments.to) / (one->spoken.empty() ? one->visit : one->spoken);
   if (auto made = files::make_folder(to); !made) return tl::unexpected(made.error());
   for (const char* name : kTaken) {
@@ -132,9 +144,11 @@ Result<int> copy(const KeepsakeArguments& arguments) {
       return tl::unexpected(put.error());
   }
   const fs::path stl = to / souvenir::kPotStl;
-  if (fs::exists(to / souvenir::kPotGlb, error) && !fs::exists(stl, error))
-    if (auto made = souvenir::write_stl(kept->folder / one->visit, stl); !made)
-      return tl::unexpected(made.error());
+  if (fs::exists(to / souvenir::kPotGlb, error) && !fs::exists(stl, error)) {
+    const auto bytes = souvenir::stl_of_visit(kept->folder / one->visit);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (auto made = files::write_durably(stl, *bytes); !made) return tl::unexpected(made.error());
+  }
   std::cout << "Copied to " << terminal::plain(to.string()) << '\n';
   return 0;
 }
@@ -175,6 +189,12 @@ Result<int> remove(const KeepsakeArguments& arguments) {
   if (!kept) return tl::unexpected(kept.error());
   const auto one = kept->only(arguments.name);
   if (!one) return tl::unexpected(one.error());
+  // What a word or a day happens to mean today is not enough to delete for good.
+  constexpr std::size_t kWholeTime = 17;  // "2026-05-04_141503"
+  if (stamp_of(arguments.name).size() < kWholeTime &&
+      !kept->names.is_called(one->spoken, arguments.name))
+    return problem(arguments.name, "This is not a whole name: " + kept->line(*one) + ".",
+                   "Write all three words, or the date and time, to delete it.");
   if (auto gone = souvenir::remove_visit(kept->folder / one->visit); !gone)
     return tl::unexpected(gone.error());
   std::cout << "Deleted: " << kept->line(*one) << '\n';

@@ -26,7 +26,7 @@ namespace {
 
 struct PosterArguments {
   std::string config, vessel, language, address;
-  files::Output out{files::Output::Kind::picture, "poster.png"};
+  files::Output out{files::Output::Kind::png, "poster.png"};
 };
 
 /// The pictured vessel: `wanted`, else the first of the shelf's order.

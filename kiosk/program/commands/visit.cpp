@@ -205,7 +205,10 @@ Result<void> walk(exhibit::Kiosk& kiosk, const VisitArguments& arguments, int ca
 
 /// Checks the arguments before a visit of a minute begins.
 Result<void> check(const VisitArguments& arguments) {
-  if (arguments.vessel.empty() == arguments.mission.empty())
+  if (arguments.vessel.empty() && arguments.mission.empty())
+    return problem("--vessel", "It is missing.",
+                   "Write --vessel moon_jar, say, or a --mission in its place.");
+  if (!arguments.vessel.empty() && !arguments.mission.empty())
     return problem("--vessel", "Use --vessel or --mission, not both.",
                    "Remove one of the two options.");
   if (arguments.out.empty())

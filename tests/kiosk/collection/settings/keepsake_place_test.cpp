@@ -63,7 +63,11 @@ TEST_F(KeepsakePlace, nor_in_a_site_that_is_copied_as_the_last_good_one) {
 }
 
 TEST_F(KeepsakePlace, nor_where_no_folder_can_be) {
+  fs::create_directory_symlink("round", museum_.path() / "round");
   for (const auto& [folder, why] : {std::pair{std::string("exhibit.toml/kept"), "is a file, so"},
+                                    {"../round/kept", "leads back to itself"},
+                                    {"/proc/kept", "/proc is the system's own"},
+                                    {"/dev", "/dev is the system's own"},
                                     {"../" + std::string(256, 'k'), "a name of 256 bytes"}}) {
     const ExhibitRead r = read("[keepsake]\nfolder = \"" + folder + "\"\n");
     ASSERT_THAT(r.problems, SizeIs(1)) << folder << all(r.problems);

@@ -66,6 +66,8 @@ TEST_F(AnOutput, never_takes_the_place_of_a_file_of_another_kind_unless_it_is_fo
       {"report.json", "{\"height\": 1}"},
       {"scan.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": []}"},
       {"vessel.toml", "[label.en]\ntitle = \"A, jar\"\n"},
+      {"pot.stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(100, 'x')},
+      {"cut.stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(99, 'x')},
       {"letter.txt", "Dear curator, one line,\nand another.\n"}};
   const auto its = [](const std::string& name) {
     return name == "scan.glb"                          ? "glb"
@@ -73,12 +75,14 @@ TEST_F(AnOutput, never_takes_the_place_of_a_file_of_another_kind_unless_it_is_fo
            : name == "rows.csv"                        ? "csv"
            : name == "report.tar.gz"                   ? "archive"
            : name == "hum.wav"                         ? "wav"
+           : name == "pot.stl"                         ? "stl"
            : name == "photo.png" || name == "plot.svg" ? "picture"
                                                        : "none";
   };
   const std::vector<std::pair<std::string, Kind>> kinds{
       {"glb", Kind::glb},         {"json", Kind::json}, {"csv", Kind::csv},
-      {"picture", Kind::picture}, {"wav", Kind::wav},   {"archive", Kind::archive}};
+      {"picture", Kind::picture}, {"wav", Kind::wav},   {"archive", Kind::archive},
+      {"stl", Kind::stl}};
   for (const auto& [name, text] : all)
     for (const auto& [word, kind] : kinds) {
       there(name, text);
@@ -101,13 +105,14 @@ TEST_F(AnOutput, has_a_name_that_ends_as_its_kind_does_or_in_nothing_that_is_kno
       {"a.json", Kind::json}, {"a.png", Kind::picture},    {"a.SVG", Kind::picture},
       {"a.glb", Kind::glb},   {"a.tar.gz", Kind::archive}, {"a.tgz", Kind::archive},
       {"a", Kind::picture},   {"tmp.Xq3", Kind::json},     {"a.txt", Kind::json},
-      {"a.json", Kind::json}, {"a.2026", Kind::csv},       {"a.WAV", Kind::wav}};
+      {"a.json", Kind::json}, {"a.2026", Kind::csv},       {"a.WAV", Kind::wav},
+      {"a.stl", Kind::stl},   {"a.PNG", Kind::png},        {"a.jfif", Kind::png}};
   for (const auto& [name, kind] : good) EXPECT_TRUE(to(name, kind).check()) << name;
-  const std::pair<const char*, Kind> wrong[] = {{"q.gif", Kind::picture},  {"q.jpg", Kind::picture},
-                                                {"q.JPEG", Kind::picture}, {"q.json", Kind::csv},
-                                                {"q.csv", Kind::json},     {"q.pdf", Kind::picture},
-                                                {"q.gltf", Kind::glb},     {"q.mp3", Kind::wav},
-                                                {"q.zip", Kind::archive},  {"q.toml", Kind::json}};
+  const std::pair<const char*, Kind> wrong[] = {
+      {"q.gif", Kind::picture}, {"q.jpg", Kind::picture}, {"q.JPEG", Kind::picture},
+      {"q.json", Kind::csv},    {"q.csv", Kind::json},    {"q.pdf", Kind::picture},
+      {"q.gltf", Kind::glb},    {"q.mp3", Kind::wav},     {"q.zip", Kind::archive},
+      {"q.toml", Kind::json},   {"q.svg", Kind::png},     {"q.glb", Kind::stl}};
   for (const auto& [name, kind] : wrong) {
     Output out = to(name, kind);
     const auto said = out.write(std::string("x"));
@@ -257,6 +262,12 @@ TEST_F(AnOutput, clashes_with_another_of_the_same_file_but_not_of_the_same_devic
   EXPECT_FALSE(to("new").clashes_with(to("a.json")));
   EXPECT_FALSE(to("new").clashes_with(Output(Kind::glb)));
   EXPECT_FALSE(Output(Kind::json, "/dev/null").clashes_with(Output(Kind::json, "/dev/null")));
+  // As typed in a folder: none of these names is there yet.
+  const fs::path here = fs::current_path();
+  for (const fs::path& name : {fs::path("./not_there"),
+                               fs::path("..") / here.filename() / "not_there", here / "not_there"})
+    EXPECT_TRUE(Output(Kind::json, "not_there").clashes_with(Output(Kind::csv, name.string())))
+        << name;
 }
 
 }  // namespace

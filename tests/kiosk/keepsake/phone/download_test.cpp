@@ -63,8 +63,9 @@ TEST_F(Download, ThePrintIsMadeOfTheModelWholeOrASpanOfItAndIsTheDesksOwn) {
   const auto glb = content::write_glb(pot, "My pot", "", {{0, {}}, {500, {}}}, {}, 2);
   std::ofstream(visit / "pot.glb", std::ios::binary)
       .write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
-  ASSERT_TRUE(souvenir::write_stl(visit, folder_.path() / "desk.stl"));
-  const std::string desk = files::test::content(folder_.path() / "desk.stl");
+  const auto stl = souvenir::stl_of_visit(visit);
+  ASSERT_TRUE(stl);
+  const std::string desk(reinterpret_cast<const char*>(stl->data()), stl->size());
   ASSERT_EQ(desk.size(), 84 + 50 * pot.triangles.size());
   ASSERT_GT(desk.size(), 300'000u) << "many pieces";
   const std::string whole = get(at + "/pot.stl");

@@ -129,6 +129,10 @@ try:
         status, body = get(port, f"/k/{token}/{file}")
         sure(status == 200 and body == (folder / file).read_bytes(), f"{file} is whole")
     subprocess.run([PROGRAMS / "onggi-console", "--stl", folder, "--to", WORK / "desk.stl"], check=True, capture_output=True)
+    for over in ("pot.glb", "postcard.jpg"):
+        was = (folder / over).read_bytes()
+        tried = subprocess.run([PROGRAMS / "onggi-console", "--stl", folder, "--to", folder / over], capture_output=True, text=True)
+        sure(tried.returncode == 2 and (folder / over).read_bytes() == was, f"no STL is written over {over}: {tried.stderr}")
     status, body = get(port, f"/k/{token}/pot.stl")
     sure(status == 200 and body == (WORK / "desk.stl").read_bytes(), "the pot for a printer is what the desk would print")
 

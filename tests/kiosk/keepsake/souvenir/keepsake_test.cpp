@@ -68,8 +68,9 @@ TEST(keepsake, its_name_is_kept_with_it_and_found_again_the_newest_first) {
   EXPECT_EQ(files->spoken, "quiet-blue-heron");
   put_visit(scratch.path(), "2026-06-04_141503_unnamed", 1);
   put_visit(scratch.path(), "2026-06-04_141503_going.partial", 1);
-  put_visit(scratch.path(), "2026-06-04_141503_photos", 1);
+  fs::create_directory(scratch.path() / "2026-06-04_141503_photos");
   std::ofstream(scratch.path() / "2026-06-04_141503_photos/of mine.txt") << "x";
+  std::ofstream(scratch.path() / "2026-05-04_141503_moon_jar/note.txt") << "the desk's own";
   const auto found = named_visits(scratch.path());
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].visit, "2026-06-04_141503_unnamed");

@@ -210,13 +210,12 @@ TEST(stl, a_damaged_model_gives_none_or_one_that_ends_and_never_reads_beyond_it)
   EXPECT_TRUE(Kept(std::span(index)).stl().empty()) << "a corner that is not there";
 }
 
-TEST(stl, the_desk_gets_it_as_a_file_and_is_told_of_a_folder_without_a_pot) {
+TEST(stl, the_desk_gets_it_whole_and_is_told_of_a_folder_without_a_pot) {
   const Kept kept(turned(cup(0.05, 0.045, 0.12, 0.006), 24));
-  const auto file = kept.scratch.path() / "cup.stl";
-  ASSERT_TRUE(write_stl(kept.scratch.path(), file));
-  const std::string text = files::test::content(file);
-  EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(text)), kept.stl()));
-  const auto none = write_stl(kept.scratch.path() / "no", file);
+  const auto stl = stl_of_visit(kept.scratch.path());
+  ASSERT_TRUE(stl);
+  EXPECT_TRUE(std::ranges::equal(*stl, kept.stl()));
+  const auto none = stl_of_visit(kept.scratch.path() / "no");
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().exit_code, 2);
 }

@@ -34,8 +34,8 @@ class AtTheDesk : public ::testing::Test {
 };
 
 TEST_F(AtTheDesk, AKeepsakeIsFoundByItsNameInAnyLanguageAndByItsTime) {
-  for (const char* typed :
-       {"'quiet blue heron'", "'stiller blauer Reiher'", "'héron bleu'", "2026-05-04_1415"}) {
+  for (const char* typed : {"'quiet blue heron'", "'stiller blauer Reiher'", "'héron bleu'",
+                            "2026-05-04_1415", "'2026-05-04 14:15'"}) {
     const Outcome found = desk("find " + std::string(typed));
     EXPECT_EQ(found.exit_code, 0) << found.err;
     EXPECT_EQ(found.out, "2026-05-04 14:15:03  quiet blue heron  moon_jar\n") << typed;
@@ -64,6 +64,19 @@ TEST_F(AtTheDesk, ACopyHoldsWhatTheVisitorTakesHome) {
   EXPECT_FALSE(fs::exists(stick / "quiet-blue-heron/visit.onggi"));
 }
 
+// A note of the desk's own keeps a visit from being tidied away. It must not hide it.
+TEST_F(AtTheDesk, AKeepsakeWithANoteInItIsFoundAndNoneIsCopiedAmongTheOthers) {
+  const fs::path kept = folder_ / "keepsakes";
+  std::ofstream(kept / "2026-05-04_141503_moon_jar/note.txt") << "fetch on Friday";
+  EXPECT_EQ(desk("find 'quiet blue heron'").exit_code, 0);
+  for (const fs::path& to : {kept, kept / "2026-05-04_141503_moon_jar"}) {
+    const Outcome copied = desk("copy 'quiet blue heron' '" + to.string() + "'");
+    EXPECT_EQ(copied.exit_code, 2);
+    EXPECT_NE(copied.err.find("lies among the keepsakes"), std::string::npos) << copied.err;
+  }
+  EXPECT_FALSE(fs::exists(kept / "quiet-blue-heron"));
+}
+
 TEST_F(AtTheDesk, APostcardIsPrintedByLpUnderItsName) {
   const fs::path bin = folder_ / "bin";
   fs::create_directories(bin);
@@ -88,10 +101,18 @@ TEST_F(AtTheDesk, OnlyTheOneThatIsNamedIsDeleted) {
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_NE(both.err.find("2 keepsakes have this in their name"), std::string::npos) << both.err;
   EXPECT_TRUE(there("2026-05-04_141503_moon_jar"));
-  EXPECT_EQ(desk("delete 'quiet blue heron'").exit_code, 0);
+  for (const char* part : {"q", "quiet", "'blue heron'", "2026-05-04_1415", "'2026-05-04 14:15'"}) {
+    const Outcome refused = desk("delete " + std::string(part));
+    EXPECT_EQ(refused.exit_code, 2) << part;
+    EXPECT_NE(refused.err.find("not a whole name"), std::string::npos) << refused.err;
+  }
+  EXPECT_TRUE(there("2026-05-04_141503_moon_jar"));
+  EXPECT_EQ(desk("delete 'Quiet blue heron'").exit_code, 0);
   EXPECT_FALSE(there("2026-05-04_141503_moon_jar"));
   EXPECT_TRUE(there("2026-05-04_151500_tea_bowl"));
   EXPECT_EQ(desk("delete 'quiet blue heron'").exit_code, 2);
+  EXPECT_EQ(desk("delete '2026-05-04 16:15:00'").exit_code, 0);
+  EXPECT_FALSE(there("2026-05-04_161500_olla"));
 }
 
 }  // namespace
