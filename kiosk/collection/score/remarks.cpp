@@ -15,7 +15,8 @@ constexpr double kAlike = 0.025;
 constexpr double kOutlineAlike = 0.95;
 constexpr double kWallAlike = 0.85;
 constexpr double kWallUneven = 0.75, kAsEven = 0.01;
-/// A pot that is further out of round is told so, last: its shape matters more. Share of the size.
+/// A pot that is further out of round is told so, before what nobody sees of its shape. Share of the
+/// size.
 constexpr double kTrue = 0.0005;
 constexpr std::size_t kMost = 3;
 /// A named part counts as the largest difference from this share of the worst place on.
@@ -206,7 +207,7 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
         {0.05 * (1.0 - m.made.wall_evenness),
          {"remark.wall_uneven", {{"percent", whole(100.0 * (1.0 - m.made.wall_evenness))}}}});
 
-  if (m.out_of_round > kTrue * size) found.push_back({0.0, {"remark.not_round", {}}});
+  if (m.out_of_round > kTrue * size) found.push_back({kAlike, {"remark.not_round", {}}});
 
   // The place where the outlines are furthest apart, unless a named part already covers it.
   const double worst = 2.0 * m.common_firm * m.target.height;
