@@ -111,6 +111,8 @@ class Target {
   /// Only for targets without multisampling.
   const Texture& color() const { return color_; }
   Texture take_color() { return std::move(color_); }
+  /// Only for targets with depth and without multisampling.
+  const Texture& depth() const { return depth_; }
   GLuint framebuffer() const { return framebuffer_.get(); }
 
  private:
@@ -118,7 +120,8 @@ class Target {
   FramebufferName framebuffer_;
   Texture color_;
   TextureName sampled_;
-  RenderbufferName depth_;
+  Texture depth_;
+  RenderbufferName sampled_depth_;
 };
 
 /// Indexed triangles, one triangle strip, or points, with interleaved float attributes of the given
