@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -17,35 +18,24 @@ class Edges {
   static Result<std::unique_ptr<Edges>> create();
 
   /// Finds and uploads the outlines for a picture that is `scale` times the camera's size. Binds
-  /// the target of the strips and clears it, for draw_wall() and draw_wheel() with the programs of
-  /// clay.glsl and wheel.glsl, and for the lip.
+  /// the target of the lip's strip, for draw_lip() with the program of the lip in clay.glsl.
   void prepare(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip,
                double scale);
-  /// Place of the unrolled lip among the strips: its size and its lower left, for clay.glsl.
-  static glm::vec4 unrolled_lip();
-  void draw_wall() const { draw_strips(0, wall_); }
-  void draw_wheel() const { draw_strips(wall_, wheel_); }
+  void draw_lip() const { lip_.draw(); }
   /// Draws them into the bound target, which shows `space` over `ground` and is a whole frame.
   void draw(const Target& space, const Texture& ground, float opacity, int width, int height);
 
  private:
   Edges() = default;
-  void draw_strips(std::size_t first, std::size_t count) const;
-  /// Corners and indices on the graphics side, and how many have room.
-  struct Buffers {
-    ArrayName array;
-    BufferName corners, indices;
-    std::size_t room = 0, index_room = 0;
-    void create();
-  };
-  Program program_;
-  Target strips_target_;
-  Buffers ribbons_, strips_;
-  Ribbons now_, uploaded_;
-  std::vector<std::uint32_t> strip_indices_, uploaded_strip_indices_;
-  std::size_t wall_ = 0, wheel_ = 0;
-  float wide_ = 1;
-  glm::vec2 distance_of_{0.0f};
+  std::array<Program, 2> programs_;  // of outlines, of creases
+  Target strip_;
+  Mesh lip_;
+  ArrayName array_;
+  BufferName corners_, indices_;
+  std::size_t corner_room_ = 0, index_room_ = 0;
+  Ribbons now_;
+  std::vector<EdgeCorner> uploaded_corners_;
+  std::vector<std::uint32_t> now_indices_, uploaded_indices_;
 };
 
 }  // namespace onggi::render

@@ -6,46 +6,48 @@
 #include <optional>
 
 #include "kiosk/picture/render/backdrop.h"
-#include "kiosk/picture/render/ribbons.h"
 
 namespace onggi::render {
 namespace {
 
 constexpr float kPi = glm::pi<float>();
-constexpr int kWheelCorners = 96;   // as in the wheel head's mesh
-constexpr float kRowsApart = 3.0f;  // pixels between points of the wall's sides, at least
-constexpr int kWallSteps = 128;     // of the wall's strips
-constexpr float kEdge = 0.01f;      // of a texel: a strip's outermost middles are drawn
-
-// A little longer than the strip, so that the middles of its ends are drawn.
-glm::vec2 strip_at(float share, float row) {
-  const float longer = 0.5f + (share - 0.5f) * 1.002f;
-  return 2.0f * glm::vec2(Strips::x(longer), Strips::y(row)) - 1.0f;
-}
+constexpr int kRimCorners = 96;     // as in the wheel head's mesh
+constexpr float kRowsApart = 1.0f;  // pixels between points of the wall's sides, at least
+constexpr float kOnHead = 0.0003f;  // m: nearer to the eye than the wheel head's plane
+// Metres by which what lies behind an edge is farther, and by which what hides it is nearer.
+constexpr float kBehind = 0.004f, kHides = 0.012f;
+constexpr float kAll = 0.99999f;  // depth of what is drawn at all
+constexpr float kNarrow = 4.0f;   // texels: a narrower lip needs a strip
+constexpr float kCorner = 0.6f;   // texels: less room in the mouth is none
 
 class Tracer {
  public:
-  Tracer(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip, float wide)
+  Tracer(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip, float texel)
       : clay_(clay),
         pot_(pot),
         clip_(clip),
         frame_(pot.camera.width, pot.camera.height),
-        wide_(wide),
+        texel_(texel),
+        beside_(1.42f * texel),
         size_(static_cast<float>(std::clamp(pot.size, 0.5, 1.0))),
         front_(0.5f * kPi - static_cast<float>(pot.camera.azimuth)),
         open_(0.5f * kPi * static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0))),
         height_(static_cast<float>(clay.height())) {
+    float view[16], projection[16];
+    pot.camera.matrices(view, projection);
+    of_distance_ = {projection[10], projection[14]};
+    pixels_ = 0.5f * projection[5] * frame_.y;
     const glm::vec3 eye = vec(pot.camera.eye()) / size_;
     away_ = std::hypot(eye.x, eye.z);
     eye_y_ = eye.y;
-    const float lip = std::min(clay.lip(), 0.5f * height_);
-    shoulder_ = height_ - lip;
+    shoulder_ = height_ - std::min(clay.lip(), 0.5f * height_);
   }
 
   Ribbons trace() {
     if (pot_.wheel) wheel_head();
     if (!clay_.empty() && height_ > 0.0f) {
-      walls();
+      side(-1.0f);
+      side(1.0f);
       foot();
       lip();
       if (open_ > 0.001f) section();
@@ -54,14 +56,30 @@ class Tracer {
   }
 
  private:
-  EdgePoint project(glm::vec3 p) const {
+  struct Projected {
+    glm::vec2 at;
+    float metres;
+  };
+  Projected project(glm::vec3 p) const {
     const glm::vec4 c = clip_ * glm::vec4(p, 1.0f);
     return {(0.5f + 0.5f * glm::vec2(c) / c.w) * frame_, c.w};
   }
+  float depth_of(float metres) const {
+    return 0.5f + 0.5f * (of_distance_.y / metres - of_distance_.x);
+  }
   /// `turned` from the side that faces the eye.
-  EdgePoint clay_at(float turned, float rho, float y) const {
+  glm::vec3 place(float turned, float rho, float y) const {
     const float a = front_ + turned;
-    return project(size_ * glm::vec3(rho * std::cos(a), y, rho * std::sin(a)));
+    return {rho * std::cos(a), y, rho * std::sin(a)};
+  }
+  EdgePoint clay_at(float turned, float rho, float y, float hides = kHides,
+                    float behind = kBehind) const {
+    const Projected p = project(size_ * place(turned, rho, y));
+    return {p.at, {depth_of(p.metres - hides), depth_of(p.metres + behind), 0.0f}};
+  }
+  EdgePoint wheel_at(float turned, float rho, float y) const {
+    const Projected p = project(place(turned, rho, y));
+    return {p.at, {depth_of(p.metres - kHides), kAll, 1.0f}};
   }
   float outer(float turned, float y) const { return clay_.outer_at(share_of(turned), y / height_); }
   float inner(float turned, float y) const { return clay_.inner_at(share_of(turned), y / height_); }
@@ -70,18 +88,17 @@ class Tracer {
   }
   /// The cut-away has no clay there.
   bool left_out(float turned) const { return turned < 0.0f && turned > -open_; }
-  void ribbon(const std::vector<EdgePoint>& line, bool closed = false) {
-    add_ribbon(out_, line, closed, wide_);
+  void outline(const std::vector<EdgePoint>& line, bool level = false) {
+    add_ribbon(out_.corners, out_.outlines, line, texel_, level);
   }
-  float step_of_strip() const { return (Strips::kRows - 1) / (wide_ * Strips::kTall); }
-  void corner(glm::vec3 place, float share, float row) {
-    out_.strips.push_back({place, strip_at(share, row)});
+  void crease(std::vector<EdgePoint>& line) {
+    for (EdgePoint& p : line)
+      p.depths = {std::min(beside_, p.most_out), std::min(beside_, p.most_in), p.depths.x};
+    add_ribbon(out_.corners, out_.creases, line, texel_, false);
   }
 
   void wheel_head();
-  void walls();
   void side(float sign);
-  void wall_strip(float sign, const std::vector<float>& turned);
   void foot();
   void lip();
   void section();
@@ -90,76 +107,60 @@ class Tracer {
   const view::PotView& pot_;
   const glm::mat4 clip_;
   const glm::vec2 frame_;
-  const float wide_, size_, front_, open_, height_;
+  const float texel_;
+  const float beside_;  // pixels from a crease where no texel reaches over it, whatever its way
+  const float size_, front_, open_, height_;
+  glm::vec2 of_distance_{0.0f};  // makes depth of a distance (Camera::matrices)
+  float pixels_ = 1;             // in a metre, a metre before the eye
   float away_ = 1, eye_y_ = 0, shoulder_ = 0;
   Ribbons out_;
 };
 
 // A disc with a band below. The band turns away from the eye at the same angle all the way down.
-// The disc's turned edge catches the light, so its colours are a strip.
 void Tracer::wheel_head() {
   const auto radius = static_cast<float>(pot_.wheel_radius);
+  const Projected middle = project(glm::vec3(0.0f)), right = project({radius, 0.0f, 0.0f}),
+                  near = project({0.0f, 0.0f, radius});
+  const glm::mat2 ways(right.at - middle.at, near.at - middle.at);
+  if (std::abs(glm::determinant(ways)) < 1.0f) return;  // the eye is level with it
+  const float depth = depth_of(middle.metres);
+  const glm::vec2 slope =
+      glm::vec2(depth_of(right.metres) - depth, depth_of(near.metres) - depth) * glm::inverse(ways);
+  out_.head = {slope, depth - glm::dot(slope, middle.at),
+               -0.5f * kOnHead * of_distance_.y / (middle.metres * middle.metres)};
+
+  // From a point of the plane, in radii, to a pixel, and back.
+  const glm::mat3 pixel_of(
+      glm::vec3(right.at * right.metres - middle.at * middle.metres, right.metres - middle.metres),
+      glm::vec3(near.at * near.metres - middle.at * middle.metres, near.metres - middle.metres),
+      glm::vec3(middle.at * middle.metres, middle.metres));
+  const glm::mat3 back = glm::inverse(pixel_of);
+  out_.disc = glm::transpose(back) * glm::mat3(1, 0, 0, 0, 1, 0, 0, 0, -1) * back;
+
   const float tangent = std::acos(std::min(radius / (away_ * size_), 1.0f));
-  const auto at = [&](float turned, float rho, float y) {
-    const float a = front_ + turned;
-    return project({rho * std::cos(a), y, rho * std::sin(a)});
-  };
   // From the visitor's left over the near side to the right, and over the far side back. Below the
   // near side is the band.
-  std::vector<EdgePoint> near, far;
-  // The band begins a little higher, so that no row of pixels is left out between it and the disc.
-  const auto band_end = [&](float turned) {
-    EdgePoint p = at(turned, radius, 0.0f);
-    p.at.y += 2.0f;
-    return p;
-  };
-  std::vector<EdgePoint> low{band_end(tangent)};
-  const std::size_t begun = out_.strips.size();
-  const int sides = static_cast<int>(std::lround(kWheelCorners * tangent / kPi));
-  for (int i = 0; i <= kWheelCorners; ++i) {
-    const bool before = i <= sides;
-    const float turned =
-        before ? tangent * (1.0f - 2.0f * static_cast<float>(i) / static_cast<float>(sides))
-               : -tangent - 2.0f * (kPi - tangent) * static_cast<float>(i - sides) /
-                                static_cast<float>(kWheelCorners - sides);
-    const float share = (tangent - turned) / (2.0f * kPi);
-    EdgePoint p = at(turned, radius, 0.0f);
-    const glm::vec2 normal = right_of(at(turned - 0.01f, radius, 0.0f).at - p.at);
-    constexpr float kInside = 0.02f;
-    const float inwards =
-        std::abs(glm::dot(p.at - at(turned, (1.0f - kInside) * radius, 0.0f).at, normal));
-    const float deep = std::min(kInside * wide_ / std::max(inwards, 1e-3f), 0.9f);
-    p.strip = {Strips::x(share), Strips::y(Strips::kWheel), step_of_strip()};
-    const float round = (front_ + turned) / (2.0f * kPi);
-    corner({round, 1.0f, 0.0f}, share, Strips::kWheel - kEdge);
-    corner({round, 1.0f - deep, 0.0f}, share, Strips::kWheel + Strips::kRows - 1 + kEdge);
-    if (before) {
-      // At its ends lies the plaster below, not the band.
-      if (std::abs(turned) < tangent - 0.3f) near.push_back(p);
-      low.push_back(at(turned, radius, Backdrop::kTable));
-    }
-    if (i >= sides) far.push_back(p);
+  std::vector<EdgePoint> low{wheel_at(tangent, radius, 0.0f)}, near_side, far_side;
+  for (int i = 0; i <= kRimCorners; ++i) {
+    const float t = static_cast<float>(i) / kRimCorners, turned = tangent * (1.0f - 2.0f * t);
+    low.push_back(wheel_at(turned, radius, Backdrop::kTable));
+    far_side.push_back(wheel_at(-tangent - 2.0f * (kPi - tangent) * t, radius, 0.0f));
+    // At its ends lies the plaster below, not the band.
+    if (std::abs(turned) < tangent - 0.3f) near_side.push_back(wheel_at(turned, radius, 0.0f));
   }
-  low.push_back(band_end(-tangent));
-  join(out_.wheel, begun, out_.strips.size());
-  ribbon(near);
-  ribbon(low);
-  ribbon(far);
-}
-
-void Tracer::walls() {
-  side(-1.0f);
-  side(1.0f);
+  low.push_back(wheel_at(-tangent, radius, 0.0f));
+  crease(near_side);
+  outline(low);
+  outline(far_side);
 }
 
 // Where the wall turns away from the eye, row by row, and of all that the outermost on each line of
 // the picture: the bulges between grooves hide the rest. The angle grows to the visitor's left.
 void Tracer::side(float sign) {
-  const EdgePoint low = clay_at(0.5f * kPi, outer(0.5f * kPi, 0.0f), 0.0f);
-  const EdgePoint high = clay_at(0.5f * kPi, outer(0.5f * kPi, shoulder_), shoulder_);
-  const int rows = std::clamp(static_cast<int>(glm::length(high.at - low.at)), 16, 600);
+  const glm::vec2 low = clay_at(0.5f * kPi, outer(0.5f * kPi, 0.0f), 0.0f).at;
+  const glm::vec2 high = clay_at(0.5f * kPi, outer(0.5f * kPi, shoulder_), shoulder_).at;
+  const int rows = std::clamp(static_cast<int>(glm::length(high - low)), 16, 600);
   const float step = shoulder_ / static_cast<float>(rows);
-  const float strip = sign > 0.0f ? Strips::kLeft : Strips::kRight;
   std::vector<std::optional<EdgePoint>> lines(static_cast<std::size_t>(frame_.y));
   const auto along = [&](const EdgePoint& one, const EdgePoint& other) {
     const EdgePoint& a = one.at.y < other.at.y ? one : other;
@@ -169,8 +170,7 @@ void Tracer::side(float sign) {
               to = std::min(static_cast<int>(std::floor(b.at.y - 0.5f)), top);
     for (int line = from; line <= to; ++line) {
       const float t = (static_cast<float>(line) + 0.5f - a.at.y) / std::max(b.at.y - a.at.y, 1e-6f);
-      const EdgePoint p{glm::mix(a.at, b.at, t), glm::mix(a.metres, b.metres, t),
-                        glm::mix(a.strip, b.strip, t)};
+      const EdgePoint p{glm::mix(a.at, b.at, t), glm::mix(a.depths, b.depths, t)};
       std::optional<EdgePoint>& most = lines[static_cast<std::size_t>(line)];
       if (!most || sign * (most->at.x - p.at.x) > 0.0f) most = p;
     }
@@ -182,11 +182,10 @@ void Tracer::side(float sign) {
     bool is = false;
   };
   Side last;
-  std::vector<float> turns;
+  float turned = sign * 0.45f * kPi;
   for (int k = 0; k <= rows; ++k) {
     const float y = step * static_cast<float>(k);
     const float below = std::max(y - step, 0.0f), above = std::min(y + step, shoulder_);
-    float turned = turns.empty() ? sign * 0.45f * kPi : turns.back();
     Side here;
     for (int times = 0; times < 2; ++times) {
       const float r = outer(turned, y);
@@ -195,19 +194,18 @@ void Tracer::side(float sign) {
       here.is = std::abs(cosine) < 1.0f;
       turned = sign * std::acos(std::clamp(cosine, -1.0f, 1.0f));
     }
-    here.at = clay_at(turned, outer(turned, y), y);
-    here.at.strip = {Strips::x(y / shoulder_), Strips::y(strip), step_of_strip()};
-    turns.push_back(turned);
+    // What the ribbon covers of the wall is that much nearer than its side.
+    const float r = outer(turned, y), wide = 1.5f * texel_ * away_ * size_ / pixels_;
+    here.at = clay_at(turned, r, y, kHides + std::sqrt(2.0f * r * size_ * wide));
     const bool gone = left_out(turned);
     if (gone) here.is = false;
     if (k > 0 && !gone && (here.is || last.is)) along(here.at, last.at);
     last = here;
   }
-  wall_strip(sign, turns);
   std::vector<EdgePoint> edge;
   const auto end = [&] {
     if (sign > 0.0f) std::reverse(edge.begin(), edge.end());
-    ribbon(edge);
+    outline(edge, true);
     edge.clear();
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -222,40 +220,6 @@ void Tracer::side(float sign) {
   if (!edge.empty()) end();
 }
 
-// The wall within a ribbon's width of its side, up the wall. On the screen a point turned by `a`
-// from there lies r (1 - cos a) inside.
-void Tracer::wall_strip(float sign, const std::vector<float>& turned) {
-  const int row = sign > 0.0f ? Strips::kLeft : Strips::kRight;
-  const float pixels = 0.5f * frame_.y / std::tan(0.5f * static_cast<float>(pot_.camera.fov));
-  constexpr int kAcross = 2;
-  std::array<std::vector<StripCorner>, kAcross + 1> lines;
-  for (int k = 0; k <= kWallSteps; ++k) {
-    const float share = static_cast<float>(k) / kWallSteps, y = share * shoulder_;
-    const float at = share * static_cast<float>(turned.size() - 1);
-    const auto low = static_cast<std::size_t>(at), up = std::min(low + 1, turned.size() - 1);
-    const float side = std::lerp(turned[low], turned[up], at - static_cast<float>(low));
-    const float r = outer(side, y);
-    const float radius = std::max(size_ * r * pixels / clay_at(side, r, y).metres, 1.0f);
-    for (std::size_t i = 0; i <= kAcross; ++i) {
-      const float deep = static_cast<float>(i) / kAcross;
-      const float a = std::acos(std::max(1.0f - deep * wide_ / radius, 0.0f));
-      lines[i].push_back({{(side - sign * a) / (2.0f * kPi), share, 0.0f},
-                          strip_at(share, static_cast<float>(row) + deep * (Strips::kRows - 1) +
-                                              (i == 0         ? -kEdge
-                                               : i == kAcross ? kEdge
-                                                              : 0.0f))});
-    }
-  }
-  for (std::size_t i = 0; i < kAcross; ++i) {
-    const std::size_t begun = out_.strips.size();
-    for (std::size_t k = 0; k < lines[i].size(); ++k) {
-      out_.strips.push_back(lines[i][k]);
-      out_.strips.push_back(lines[i + 1][k]);
-    }
-    join(out_.wall, begun, out_.strips.size());
-  }
-}
-
 void Tracer::foot() {
   const float r = outer(0.0f, 0.0f);
   const float side = std::acos(std::min(r / away_, 1.0f));
@@ -265,18 +229,30 @@ void Tracer::foot() {
     const float turned = side * (2.0f * static_cast<float>(i) / kSteps - 1.0f);
     if (!left_out(turned)) edge.push_back(clay_at(turned, outer(turned, 0.0f), 0.0f));
   }
-  ribbon(edge);
+  outline(edge);
 }
 
 void Tracer::lip() {
   const bool hollow = clay_.inner_at(0.0f, 1.0f) > 0.0f;
-  std::vector<EdgePoint> out, in;
-  std::vector<bool> wall_goes_on;
-  const EdgePoint left = clay_at(0.5f * kPi, outer(0.5f * kPi, height_), height_),
-                  right = clay_at(-0.5f * kPi, outer(-0.5f * kPi, height_), height_);
-  const int steps = std::clamp(static_cast<int>(0.35f * glm::length(left.at - right.at)), 48, 160);
+  const glm::vec2 left = clay_at(0.5f * kPi, outer(0.5f * kPi, height_), height_).at,
+                  right = clay_at(-0.5f * kPi, outer(-0.5f * kPi, height_), height_).at;
+  const int steps = std::clamp(static_cast<int>(0.35f * glm::length(left - right)), 48, 160);
+  // Across the mouth lies what is seen behind the near lip.
+  const float behind = std::min(2.0f * kBehind, inner(0.0f, height_));
   // From the middle, or from the cut-away's left side, round to the visitor's left.
   const float span = 2.0f * kPi - open_;
+  std::vector<EdgePoint> out, near_in, far_in, hem;
+  std::optional<EdgePoint> on_wall;  // the last point where the wall goes on below the lip
+  // The wall meets the lip upright, so that its first bend is seen.
+  const auto below = [](EdgePoint p) {
+    p.at.y -= 1.5f;
+    return p;
+  };
+  const auto end = [&](std::vector<EdgePoint>& edge, bool reversed, bool is_crease) {
+    if (reversed) std::reverse(edge.begin(), edge.end());
+    is_crease ? crease(edge) : outline(edge);
+    edge.clear();
+  };
   for (int i = 0; i <= steps; ++i) {
     const float share = static_cast<float>(i) / static_cast<float>(steps), turned = span * share;
     const float top = outer(turned, height_) - (hollow ? inner(turned, height_) : 0.0f);
@@ -296,59 +272,63 @@ void Tracer::lip() {
       return std::acos(std::clamp(1.0f - 2.0f * (wide - rho) / wall, -1.0f, 1.0f)) / kPi;
     };
     EdgePoint o = clay_at(turned, rho_out, base + deep * std::sin(a));
-    EdgePoint n = clay_at(turned, rho_in, base + deep * std::sin(b));
+    EdgePoint n = clay_at(turned, rho_in, base + deep * std::sin(b), kHides, behind);
     if (hollow) {
       const float thick = std::max(glm::length(o.at - n.at), 0.5f);
-      const float rows = (Strips::kLipRows - 1) / static_cast<float>(Strips::kTall);
+      const float rows = (LipStrip::kTall - 1) / static_cast<float>(LipStrip::kTall);
       const float from = along(rho_out), to = along(rho_in);
-      o.strip = {Strips::x(share), Strips::y(Strips::kLip) + rows * from,
-                 rows * (to - from) / thick};
-      n.strip = {Strips::x(share), Strips::y(Strips::kLip) + rows * to, -o.strip.z};
-      o.narrow = n.narrow = true;
+      if (thick < kNarrow * texel_) {
+        o.strip = {LipStrip::x(share), LipStrip::y(from), rows * (to - from) / thick};
+        n.strip = {LipStrip::x(share), LipStrip::y(to), -o.strip.z};
+      }
       o.most_in = n.most_in = 0.5f * thick;
+      // At the left and right ends of the mouth there is little room inside.
+      n.most_out = 0.9f * std::abs(n.at.y - clay_at(0.5f * kPi, rho_in, height_).at.y);
+      // On the near side the mouth is behind the lip, on the far side the wall goes on below.
+      const bool is_near = cosine * away_ > hole;
+      const bool room = n.most_out > kCorner * texel_;
+      if (room && is_near) near_in.push_back(n);
+      if (room && !is_near && n.strip.x >= 0.0f) far_in.push_back(n);
+      if (!room || !is_near) end(near_in, false, false);
+      if (!room || is_near) end(far_in, false, true);
     }
-    wall_goes_on.push_back(rho_out >= wide - 1e-6f);
-    out.push_back(o);
-    in.push_back(n);
+    // Where the wall goes on below the lip is no outline.
+    const bool goes_on = rho_out >= wide - 1e-6f;
+    if (out.empty() && !goes_on && on_wall) out = {below(*on_wall), *on_wall};
+    if (!out.empty() || !goes_on) out.push_back(o);
+    if (!out.empty() && goes_on) out.push_back(below(o));
+    if (goes_on || i == steps) end(out, true, false);
+    if (goes_on) on_wall = o;
+    if (goes_on) hem.push_back(o);
+    if (!goes_on || i == steps) end(hem, true, true);
   }
-  // At the left and right ends of the mouth there is little room inside.
-  float low = 1e9f, high = -1e9f;
-  for (const EdgePoint& p : in) {
-    low = std::min(low, p.at.y);
-    high = std::max(high, p.at.y);
-  }
-  for (EdgePoint& p : in) p.most_out = 0.9f * std::abs(p.at.y - 0.5f * (low + high));
-  if (hollow) ribbon(in);
-  // Where the wall goes on below the lip is no edge.
-  std::vector<EdgePoint> edge;
-  for (std::size_t i = out.size(); i-- > 0;) {
-    if (!wall_goes_on[i]) edge.push_back(out[i]);
-    if (wall_goes_on[i] || i == 0) {
-      ribbon(edge);
-      edge.clear();
-    }
-  }
+  end(near_in, false, false);
+  end(far_in, false, true);
 }
 
-// Where the wall ends before the opening. The section itself is narrow and has a line of ink at its
-// edges, which the picture draws.
+// Where the opening ends: the wall that is left, the floor, and the wall's section.
 void Tracer::section() {
   constexpr int kSteps = 160;
-  std::vector<EdgePoint> edge;
+  std::vector<EdgePoint> near, far, floor;
   for (int i = 0; i <= kSteps; ++i) {
-    const float y = shoulder_ * static_cast<float>(i) / kSteps;
-    edge.push_back(clay_at(0.0f, outer(0.0f, y), y));
+    const float share = static_cast<float>(i) / kSteps, y = shoulder_ * share;
+    near.push_back(clay_at(0.0f, outer(0.0f, y), y));
+    far.push_back(clay_at(-open_, outer(-open_, y), y));
   }
-  ribbon(edge);
+  for (const float share : {1.0f, 0.5f, 0.0f})
+    floor.push_back(clay_at(0.0f, share * outer(0.0f, 0.0f), 0.0f));
+  for (const float share : {0.5f, 1.0f})
+    floor.push_back(clay_at(-open_, share * outer(-open_, 0.0f), 0.0f));
+  outline(near);
+  outline(floor);
+  outline(far);
 }
 
 }  // namespace
 
-float Strips::x(float share) { return (0.5f + share * (kWide - 1)) / kWide; }
-
 Ribbons outline_of(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip,
-                   float wide) {
-  return Tracer(clay, pot, clip, wide).trace();
+                   float texel) {
+  return Tracer(clay, pot, clip, texel).trace();
 }
 
 }  // namespace onggi::render

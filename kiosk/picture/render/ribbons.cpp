@@ -6,100 +6,74 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kPiece = 8.0f;     // pixels between two corners, at most
-constexpr float kSmoothed = 1.0f;  // pixels to both sides over which a direction is taken
+constexpr float kStraight = 0.1f;  // pixels that a piece may lie beside its line
+constexpr float kLongest = 48.0f;  // pixels of a piece
 constexpr float kOblique = 0.6f;   // least part of a normal along the axis of a ribbon's width
+constexpr float kFlat = 0.05f;     // least such part of a level line
 constexpr float kSoft = 0.75f;     // pixels to both sides that cover part of a pixel
 
-// With corners so close that each turns only the piece next to it.
-std::vector<EdgePoint> divided(const std::vector<EdgePoint>& line, bool closed) {
-  std::vector<EdgePoint> points;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    points.push_back(line[i]);
-    if (i + 1 == line.size() && !closed) break;
-    const EdgePoint &from = line[i], &to = line[(i + 1) % line.size()];
-    const int parts = std::min(static_cast<int>(glm::length(to.at - from.at) / kPiece), 256);
-    for (int k = 1; k <= parts; ++k) {
-      const float t = static_cast<float>(k) / static_cast<float>(parts + 1);
-      points.push_back({glm::mix(from.at, to.at, t), glm::mix(from.metres, to.metres, t),
-                        glm::mix(from.strip, to.strip, t), from.narrow,
-                        glm::mix(from.most_in, to.most_in, t),
-                        glm::mix(from.most_out, to.most_out, t)});
-    }
-  }
-  return points;
-}
-
-std::vector<glm::vec2> normals_of(const std::vector<EdgePoint>& points, bool closed) {
-  const std::size_t n = points.size();
-  const auto neighbour = [&](std::size_t i, bool on) {
-    std::size_t k = i;
-    for (std::size_t steps = 0; steps < n; ++steps) {
-      if (!closed && (on ? k + 1 == n : k == 0)) break;
-      k = (k + (on ? 1 : n - 1)) % n;
-      if (glm::length(points[k].at - points[i].at) >= kSmoothed) break;
-    }
-    return points[k].at;
-  };
-  std::vector<glm::vec2> normals(n);
-  for (std::size_t i = 0; i < n; ++i)
-    normals[i] = right_of(neighbour(i, true) - neighbour(i, false));
-  return normals;
-}
-
-}  // namespace
-
+/// To the right of `way`, of length 1 (0 if there is none).
 glm::vec2 right_of(glm::vec2 way) {
   const float length = glm::length(way);
   return length > 1e-6f ? glm::vec2(way.y, -way.x) / length : glm::vec2(0.0f);
 }
 
-void join(std::vector<std::uint32_t>& indices, std::size_t begun, std::size_t end) {
-  for (std::size_t i = begun; i < end; ++i) {
-    const auto index = static_cast<std::uint32_t>(i);
-    if (i == begun && !indices.empty()) {
-      indices.push_back(indices.back());
-      indices.push_back(index);
-    }
-    indices.push_back(index);
+/// The last point up to which a piece from `first` is straight.
+std::size_t end_of_piece(const std::vector<EdgePoint>& line, std::size_t first) {
+  std::size_t end = first + 1;
+  while (end + 1 < line.size()) {
+    const glm::vec2 way = line[end + 1].at - line[first].at;
+    if (glm::length(way) > kLongest) break;
+    const glm::vec2 across = right_of(way);
+    const bool straight = std::all_of(
+        line.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+        line.begin() + static_cast<std::ptrdiff_t>(end) + 1, [&](const EdgePoint& p) {
+          return std::abs(glm::dot(p.at - line[first].at, across)) <= kStraight &&
+                 glm::dot(p.at - line[first].at, way) >= 0.0f;
+        });
+    if (!straight) break;
+    ++end;
   }
+  return end;
 }
 
-void add_ribbon(Ribbons& to, const std::vector<EdgePoint>& line, bool closed, float wide) {
-  const std::vector<EdgePoint> points = divided(line, closed);
-  const std::size_t n = points.size();
-  if (n < 2) return;
-  const std::vector<glm::vec2> normals = normals_of(points, closed);
-  const auto byte = [](float v) { return static_cast<std::int8_t>(std::lround(127.0f * v)); };
-  for (const int axis : {0, 1}) {
-    const auto takes = [&](std::size_t i) { return std::abs(normals[i][axis]) >= kOblique; };
-    // Begin between two parts.
-    std::size_t first = 0;
-    while (closed && first < n && takes(first)) ++first;
-    const bool whole = first == n;
-    if (whole) first = 0;
-    std::size_t begun = to.corners.size();
-    for (std::size_t k = 0; k < n + (whole ? 1 : 0); ++k) {
-      const std::size_t i = (first + k) % n;
-      if (!takes(i)) {
-        join(to.indices, begun, to.corners.size());
-        begun = to.corners.size();
-        continue;
-      }
-      const EdgePoint& p = points[i];
-      const float along = normals[i][axis];
+/// A piece widened along x and one widened along y leave a square beside the bend between them. It
+/// lies wholly on one side of the edge.
+void add_bend(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& indices,
+              const EdgePoint& at, glm::vec2 before, glm::vec2 after, float texel) {
+  if ((std::abs(before.x) > std::abs(before.y)) == (std::abs(after.x) > std::abs(after.y))) return;
+  const bool outside = before.x * after.y - before.y * after.x > 0.0f;
+  const float beyond = outside ? 1.0f : -1.0f, most = outside ? at.most_out : at.most_in;
+  const glm::vec2 way = std::min(texel, most) * beyond * glm::sign(before + after);
+  const auto base = static_cast<std::uint32_t>(corners.size());
+  for (const glm::vec2 share : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1, 1)})
+    corners.push_back({at.at + share * way, beyond, at.depths, at.strip});
+  for (const std::uint32_t k : {0u, 1u, 2u, 2u, 1u, 3u}) indices.push_back(base + k);
+}
+
+}  // namespace
+
+void add_ribbon(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& indices,
+                const std::vector<EdgePoint>& line, float texel, bool level) {
+  glm::vec2 last(0.0f);
+  for (std::size_t i = 0; i + 1 < line.size();) {
+    const std::size_t end = end_of_piece(line, i);
+    const glm::vec2 normal = right_of(line[end].at - line[i].at);
+    if (i > 0 && !level) add_bend(corners, indices, line[i], last, normal, texel);
+    last = normal;
+    const float wide = texel * (std::abs(normal.x) + std::abs(normal.y));
+    for (const int axis : {0, 1}) {
+      if (level ? axis != 0 : std::abs(normal[axis]) < kOblique) continue;
       glm::vec2 out(0.0f);
-      out[axis] = 1.0f / along;
-      for (const float beyond : {std::max(std::min(wide, p.most_out), kSoft),
-                                 -std::max(std::min(wide, p.most_in), kSoft)})
-        to.corners.push_back(
-            {p.at + beyond * out,
-             beyond,
-             p.metres,
-             p.strip,
-             {byte(normals[i].x), byte(normals[i].y), byte(p.narrow ? 1.0f : 0.0f), 0}});
+      out[axis] = 1.0f / std::copysign(std::max(std::abs(normal[axis]), kFlat), normal[axis]);
+      const auto base = static_cast<std::uint32_t>(corners.size());
+      for (const EdgePoint* p : {&line[i], &line[end]})
+        for (const float beyond : {std::max(std::min(wide, p->most_out), kSoft),
+                                   -std::max(std::min(wide, p->most_in), kSoft)})
+          corners.push_back({p->at + beyond * out, beyond, p->depths, p->strip});
+      for (const std::uint32_t k : {0u, 1u, 2u, 2u, 1u, 3u}) indices.push_back(base + k);
     }
-    join(to.indices, begun, to.corners.size());
+    i = end;
   }
 }
 

@@ -1,29 +1,35 @@
 #pragma once
 
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
-
-#include "kiosk/picture/render/outline.h"
 
 namespace onggi::render {
 
+/// A corner of a ribbon (edge.glsl). Plain numbers.
+struct EdgeCorner {
+  glm::vec2 at{0.0f};     ///< Pixels of the frame, from the lower left,
+  float beyond = 0;       ///< and how far beyond the edge, negative inside.
+  glm::vec3 depths{0};    ///< As EdgePoint has them.
+  glm::vec3 strip{-1};    ///< Too.
+  friend bool operator==(const EdgeCorner&, const EdgeCorner&) = default;
+};
+
 /// A point of an edge.
 struct EdgePoint {
-  glm::vec2 at{0.0f};  ///< Pixels of the frame, from the lower left.
-  float metres = 0;    ///< From the eye, along its view.
-  glm::vec3 strip{-1};
-  bool narrow = false;                    ///< All of it is in the strip, as of a lip.
+  glm::vec2 at{0.0f};   ///< Pixels of the frame, from the lower left.
+  /// Of an outline: nearer hides it, farther lies behind it; 1: the wheel head's. Of a crease: pixels
+  /// beyond it and inside where no texel reaches over it; nearer hides it.
+  glm::vec3 depths{0};
+  glm::vec3 strip{-1};  ///< Colours: place at the edge, and its change in y a pixel. None: x < 0.
   float most_in = 1e9f, most_out = 1e9f;  ///< Pixels to both sides, at most.
 };
 
-/// To the right of `way`, of length 1 (0 if there is none).
-glm::vec2 right_of(glm::vec2 way);
-
-/// Appends a triangle strip of the corners from `begun` on.
-void join(std::vector<std::uint32_t>& indices, std::size_t begun, std::size_t end);
-
-/// Adds a ribbon along `line`, `wide` pixels to both sides. What is in front lies left of the way.
-/// Steep parts are widened along x and flat ones along y, so that a ribbon never folds, however
-/// narrow its bends; where it is neither, both are drawn, with the same colours.
-void add_ribbon(Ribbons& to, const std::vector<EdgePoint>& line, bool closed, float wide);
+/// Adds a ribbon along `line`, which hides a texel of `texel` pixels wherever the edge runs through
+/// it. What is in front lies left of the way. Steep pieces are widened along x and flat ones along
+/// y, so that neighbours meet in a line; pieces that are neither are drawn in both ways. `level`: it
+/// has one point on each line of pixels, so all is widened along x.
+void add_ribbon(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& indices,
+                const std::vector<EdgePoint>& line, float texel, bool level);
 
 }  // namespace onggi::render

@@ -205,28 +205,19 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
 void Stage::prepare_edges(const view::PotView& pot, double scale) {
   const glm::mat4 clip = clip_of(pot.camera);
-  // The strips are as fine as the frame.
-  const float pixel = pixel_size(pot.camera, 1.0);
   edges_->prepare(clay_, pot, clip, scale);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
-  if (!clay_.empty()) {
-    const Program& wall = use_clay(0, pot, clip, pixel);
-    wall.set("unrolled", glm::vec4(1.0f));
-    wall.set("open_from", front_of(pot.camera));
-    wall.set("open_angle", 0.0f);
-    edges_->draw_wall();
-    use_clay(1, pot, clip, pixel).set("unrolled", Edges::unrolled_lip());
-    lip_mesh(pixel).draw();
-  }
-  if (!pot.wheel) return;
-  use_wheel(pot, clip, pixel).set("unrolled", 1.0f);
-  edges_->draw_wheel();
+  if (clay_.empty()) return;
+  // As fine as the frame.
+  use_clay(1, pot, clip, pixel_size(pot.camera, 1.0)).set("unrolled", LipStrip::kUnrolled);
+  edges_->draw_lip();
 }
 
-const Program& Stage::use_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel) {
+void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel) {
   const Program& program = wheel_program_;
+  glFrontFace(GL_CW);
   program.use();
   set_light(program, pot.camera, clay_levels_);
   program.set("clip_from_studio", clip);
@@ -237,13 +228,6 @@ const Program& Stage::use_wheel(const view::PotView& pot, const glm::mat4& clip,
   program.set("wetness", static_cast<float>(pot.wetness));
   program.set("pixel", pixel);
   program.set("opened", static_cast<float>(pot.cut_away));
-  program.set("unrolled", 0.0f);
-  return program;
-}
-
-void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel) {
-  glFrontFace(GL_CW);
-  use_wheel(pot, clip, pixel);
   wheel_.draw();
   glFrontFace(GL_CCW);
 }
@@ -292,7 +276,7 @@ void Stage::set_clay(const Program& program, const view::PotView& pot, const glm
   program.set("front", front_of(pot.camera));
   program.set("opened", open);
   program.set("mirrored", 0.0f);
-  program.set("unrolled", glm::vec4(0.0f));
+  program.set("unrolled", glm::vec2(0.0f));
   program.set("share", 1.0f);
   program.set("pixel", pixel / size);
   program.set("wetness", static_cast<float>(pot.wetness));
@@ -333,7 +317,11 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
     walls_[size].draw();
   }
   use(1);
-  lip_mesh(pixel).draw();
+  // The round edges of a thick wall are a small part of its top.
+  const bool thick = clay_.rim_wall() > 4.0 * static_cast<double>(clay_.lip());
+  const std::size_t round =
+      thick ? kLips.size() - 1 : fine_enough(kLips, static_cast<float>(clay_.max_radius()) / pixel);
+  lips_[round].draw();
   // Less of the inside is visible, so use the next coarser mesh, down to the visible depth.
   const bool whole = pot.cut_away <= 0.001 && !clay_.tears().any();
   const double deep = whole ? clay_.seen_into(eye) : 1.0;
@@ -351,13 +339,6 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
   use(4);
   sections_[tall > kSections[0].second ? 1 : 0].draw_times(2);
   glEnable(GL_CULL_FACE);
-}
-
-const Mesh& Stage::lip_mesh(float pixel) const {
-  // The round edges of a thick wall are a small part of its top.
-  const bool thick = clay_.rim_wall() > 4.0 * static_cast<double>(clay_.lip());
-  const auto radius = static_cast<float>(clay_.max_radius());
-  return lips_[thick ? kLips.size() - 1 : fine_enough(kLips, radius / pixel)];
 }
 
 void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {

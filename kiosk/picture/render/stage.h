@@ -52,7 +52,7 @@ class Stage {
   /// camera's size.
   void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
   /// Call before draw_pot() with one sample a pixel, if its edges are to be smooth: finds them, and
-  /// draws the strips for them. Leaves another target bound.
+  /// draws the lip for them. Leaves another target bound.
   void prepare_edges(const view::PotView& pot, double scale);
   /// Smooths the edges of a picture in `space` that is laid over `ground` in the bound frame.
   void draw_edges(const Target& space, const Texture& ground, float opacity, int width,
@@ -68,10 +68,7 @@ class Stage {
  private:
   Stage() = default;
   void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
-  /// Prepares the program of the wheel head.
-  const Program& use_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
   void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
-  const Mesh& lip_mesh(float pixel) const;
   void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
   void draw_model(const Model& model, const Texture& levels, const view::Camera& camera,

@@ -15,7 +15,7 @@ uniform vec2 grid;  // sectors, rows of the textures
 uniform float first_wall_row, top_row, lip_radius, mean_lip;
 uniform float height, floor_height, clay_angle, open_from, open_angle, front, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
-uniform vec4 unrolled;   // size and lower left of the lip among the strips; 0: in space
+uniform vec2 unrolled;   // size of the lip in its own picture (edges.h); 0: in space
 uniform float share;     // the drawn share of the outer wall's height, from the foot
 uniform float wetness, opened;
 uniform vec3 dry_color, wet_color;
@@ -82,9 +82,6 @@ void main() {
 }
 #else
 layout(location = 0) in vec2 place;  // round (or across the wall), along
-#if PART == 0
-layout(location = 1) in vec2 strip;  // its place among the strips (edges.h)
-#endif
 
 void main() {
   float round_ = place.x, along = place.y;
@@ -125,10 +122,8 @@ void main() {
   surface = vec2(angle, y / height);
   vec3 drawn = mirrored > 0.5 ? vec3(position.x, -position.y, position.z) : position;
   gl_Position = clip_from_studio * vec4(drawn, 1.0);
-#if PART == 0
-  if (unrolled.x > 0.0) gl_Position = vec4(strip, 0.0, 1.0);
-#elif PART == 1
-  if (unrolled.x > 0.0) gl_Position = vec4(place * unrolled.xy + unrolled.zw, 0.0, 1.0);
+#if PART == 1
+  if (unrolled.x > 0.0) gl_Position = vec4((place - 0.5) * unrolled, 0.0, 1.0);
 #endif
 }
 #endif

@@ -4,11 +4,9 @@
 uniform mat4 clip_from_studio;
 uniform sampler2D shadow, grain;
 uniform float radius, table_y, reach, wheel_angle, wetness, pixel, opened;
-uniform float unrolled;  // 1: among the strips (edges.h)
 
 #ifdef VERTEX
 layout(location = 0) in vec3 place;  // round, along, 1 for the band
-layout(location = 1) in vec2 strip;
 out vec3 position;
 flat out float side;
 void main() {
@@ -17,7 +15,7 @@ void main() {
   vec2 d = vec2(cos(angle), sin(angle));
   position = place.z < 0.5 ? vec3(d.x * radius * place.y, 0.0, d.y * radius * place.y)
                            : vec3(d.x * radius, table_y * place.y, d.y * radius);
-  gl_Position = unrolled > 0.5 ? vec4(strip, 0.0, 1.0) : clip_from_studio * vec4(position, 1.0);
+  gl_Position = clip_from_studio * vec4(position, 1.0);
 }
 #endif
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -88,9 +89,12 @@ class AnEdge : public StudioTest {
       for (float& d : *metres)
         d = d >= 1.0f ? kFarAway : projection[14] / (2.0f * d - 1.0f + projection[10]);
     }
+    calls::bind_framebuffer(GL_READ_FRAMEBUFFER, ground.framebuffer());
+    calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, plaster.framebuffer());
+    calls::copy(0, 0, frame.width, frame.height);
     plaster.bind();
     const view::Rect all{0, 0, static_cast<float>(frame.width), static_cast<float>(frame.height)};
-    stage_->backdrop().lay(space, ground.color(), all, 1.0f, frame.width, frame.height);
+    stage_->backdrop().lay(space, all, 1.0f, frame.width, frame.height);
     view::Image image{frame.width, frame.height, {}};
     const auto row = static_cast<std::size_t>(frame.width) * 4;
     std::vector<std::uint8_t> rows(row * static_cast<std::size_t>(frame.height));
@@ -263,6 +267,50 @@ TEST_F(AnEdge, BehindAFingerStaysHidden) {
       const Pixel p = pixel_at(image, x + i, y + j), q = pixel_at(full, x + i, y + j);
       EXPECT_LT(std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b), 24);
     }
+}
+
+TEST_F(AnEdge, Timing) {
+  view::Frame frame = show(kEdgedJar, edged_jar, 0.20, 0.09);
+  frame = frame_with_pot(1920, 1080, 0.20, 0.09);
+  frame.pot->wetness = 0.5;
+  const auto cpu = [] { timespec t; clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t); return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec; };
+  const auto ms_of = [&](const char* name, const auto& what) {
+    double least = 1e9, wall = 1e9;
+    for (int i = 0; i < 25; ++i) {
+      const auto begun = std::chrono::steady_clock::now();
+      const double c = cpu();
+      what();
+      glFinish();
+      least = std::min(least, cpu() - c);
+      wall = std::min(wall, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
+    }
+    std::printf("   %-14s cpu %.2f wall %.2f\n", name, least, wall);
+  };
+  for (const double scale : {0.5, 0.35, 0.25}) {
+    std::printf("scale %.2f\n", scale);
+    Canvas canvas;
+    const Painters with{*stage_, *items_, {}};
+    ms_of("frame", [&] { canvas.paint(with, frame, {.samples = 0}, scale, Canvas::Onto::own); });
+    const Target space(static_cast<int>(1920 * scale), static_cast<int>(1080 * scale), true, 0),
+        ground(1920, 1080, false, 0), onto(1920, 1080, false, 0);
+    const view::Rect box = reach_of(*frame.pot, stage_->clay().height(), stage_->clay().max_radius(), 1920, 1080, Reach::solid);
+    std::printf("   box %.0f x %.0f\n", box.w, box.h);
+    ms_of("space", [&] { space.bind(); glDisable(GL_SCISSOR_TEST); stage_->draw_pot(*frame.pot, {.samples = 0}, scale); glDisable(GL_SCISSOR_TEST); });
+    ms_of("copy", [&] { calls::bind_framebuffer(GL_READ_FRAMEBUFFER, ground.framebuffer()); calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, onto.framebuffer()); calls::copy(0, 0, 1920, 1080); });
+    ms_of("lay", [&] { onto.bind(); stage_->backdrop().lay(space, box, 1.0f, 1920, 1080); });
+    ms_of("prepare_edges", [&] { stage_->prepare_edges(*frame.pot, scale); });
+    ms_of("draw_edges", [&] { onto.bind(); stage_->draw_edges(space, ground.color(), 1.0f, 1920, 1080); });
+    const glm::mat4 clip = [&]{ glm::mat4 v, p; frame.pot->camera.matrices(&v[0][0], &p[0][0]); return p * v; }();
+    ms_of("outline_of", [&] { outline_of(stage_->clay(), *frame.pot, clip, static_cast<float>(1.42 / scale)); });
+    ms_of("nothing", [&] { onto.bind(); });
+    {
+      view::Frame small = frame_with_pot(kWidth, kHeight, 0.20, 0.09);
+      ms_of("720 window", [&] { canvas.paint(with, small, {.samples = 0}, scale, Canvas::Onto::window); });
+      ms_of("720 own", [&] { canvas.paint(with, small, {.samples = 0}, scale, Canvas::Onto::own); });
+    }
+    Target s4(static_cast<int>(1920 * scale), static_cast<int>(1080 * scale), true, 4);
+    ms_of("space 4", [&] { s4.bind(); glDisable(GL_SCISSOR_TEST); stage_->draw_pot(*frame.pot, {.samples = 4}, scale); glDisable(GL_SCISSOR_TEST); });
+  }
 }
 
 // Says the time too, for kiosk/docs/records/render.md.
