@@ -141,12 +141,10 @@ void Backdrop::draw_ground_layer(const glm::mat4& clip, float foot, float streng
   quad_.draw();
 }
 
-void Backdrop::lay(const Target& space, const view::Rect& box, float opacity, int width,
-                   int height) const {
+void Backdrop::lay(const Target& space, const Texture& ground, const view::Rect& box, float opacity,
+                   int width, int height) const {
   if (box.w <= 0 || box.h <= 0) return;
-  // Faster on llvmpipe than a shader that reads the ground.
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   const Program& program = lay_programs_[space.samples() > 0 ? 1 : 0];
@@ -158,6 +156,8 @@ void Backdrop::lay(const Target& space, const view::Rect& box, float opacity, in
     space.color().bind(kSpace);
   }
   program.set("space", kSpace);
+  ground.bind(kGround);
+  program.set("ground", kGround);
   program.set("opacity", opacity);
   program.set("size", glm::vec2(width, height));
   program.set("box", glm::vec4(box.x, static_cast<float>(height) - box.y - box.h, box.w, box.h));

@@ -54,9 +54,11 @@ class Backdrop {
   void draw_ground_layer(const glm::mat4& clip, float foot, float strength, glm::vec2 size,
                          glm::vec2 edge) const;
 
-  /// Lays the 3-D picture over what `box` (pixels of a width x height frame, from the top left) of
-  /// the bound target shows. `space` may be smaller than the frame, unless it is multisampled.
-  void lay(const Target& space, const view::Rect& box, float opacity, int width, int height) const;
+  /// Composes the 3-D picture over `ground` into `box` (pixels of a width x height frame, from the
+  /// top left) of the bound target. `space` may be smaller than the frame, unless it is
+  /// multisampled.
+  void lay(const Target& space, const Texture& ground, const view::Rect& box, float opacity,
+           int width, int height) const;
 
  private:
   Backdrop() = default;

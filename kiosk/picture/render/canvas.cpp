@@ -184,15 +184,22 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
 void Canvas::compose(GLuint framebuffer, const Painters& with) {
   const int width = frame_.width, height = frame_.height;
   const bool pot = frame_.pot.has_value();
+  const view::Rect box = pot ? solid_ : view::Rect{};
   const Target& ground = pot ? ground_ : plaster_;
   calls::bind_framebuffer(GL_READ_FRAMEBUFFER, ground.framebuffer());
   calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  calls::copy(0, 0, width, height);
+  const int left = static_cast<int>(box.x), right = static_cast<int>(box.x + box.w),
+            low = static_cast<int>(static_cast<float>(height) - box.y - box.h),
+            high = static_cast<int>(static_cast<float>(height) - box.y);
+  calls::copy(0, 0, width, low);
+  calls::copy(0, low, left, high - low);
+  calls::copy(right, low, width - right, high - low);
+  calls::copy(0, high, width, height - high);
   calls::bind_framebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, width, height);
   if (pot) {
     const auto opacity = static_cast<float>(std::clamp(frame_.pot->opacity, 0.0, 1.0));
-    with.stage.backdrop().lay(space_, solid_, opacity, width, height);
+    with.stage.backdrop().lay(space_, ground.color(), box, opacity, width, height);
     if (samples_ == 0) with.stage.draw_edges(space_, ground.color(), opacity, width, height);
   }
   with.items.draw(frame_.items, with.pictures, width, height);

@@ -54,6 +54,9 @@ void Edges::prepare(const ClaySurface& clay, const view::PotView& pot, const glm
   upload_difference(GL_ARRAY_BUFFER, uploaded_corners_, now_.corners, corner_room_);
   upload_difference(GL_ELEMENT_ARRAY_BUFFER, uploaded_indices_, now_indices_, index_room_);
   strip_.bind();
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
 }
 
 void Edges::draw(const Target& space, const Texture& ground, float opacity, int width, int height) {
@@ -78,9 +81,10 @@ void Edges::draw(const Target& space, const Texture& ground, float opacity, int 
     space.depth().bind(kEdgeAway);
     program.set("away", kEdgeAway);
     if (mode == 0) {
-      const glm::vec2 slope = glm::vec2(now_.head) *
-                              glm::vec2(static_cast<float>(width) / static_cast<float>(space.width()),
-                                        static_cast<float>(height) / static_cast<float>(space.height()));
+      const glm::vec2 slope =
+          glm::vec2(now_.head) *
+          glm::vec2(static_cast<float>(width) / static_cast<float>(space.width()),
+                    static_cast<float>(height) / static_cast<float>(space.height()));
       program.set("disc", now_.disc);
       program.set("head", glm::vec4(slope, now_.head.z + 0.5f * (slope.x + slope.y), now_.head.w));
     }

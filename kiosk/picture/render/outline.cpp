@@ -13,12 +13,13 @@ namespace {
 constexpr float kPi = glm::pi<float>();
 constexpr int kRimCorners = 96;     // as in the wheel head's mesh
 constexpr float kRowsApart = 1.0f;  // pixels between points of the wall's sides, at least
+constexpr float kLeap = 1.5f;       // pixels between two lines of the wall's sides
 constexpr float kOnHead = 0.0003f;  // m: nearer to the eye than the wheel head's plane
 // Metres by which what lies behind an edge is farther, and by which what hides it is nearer.
 constexpr float kBehind = 0.004f, kHides = 0.012f;
 constexpr float kAll = 0.99999f;  // depth of what is drawn at all
 constexpr float kNarrow = 4.0f;   // texels: a narrower lip needs a strip
-constexpr float kCorner = 0.6f;   // texels: less room in the mouth is none
+constexpr float kCorner = 1.0f;   // texels: less room in the mouth is none
 
 class Tracer {
  public:
@@ -208,11 +209,25 @@ void Tracer::side(float sign) {
     outline(edge, true);
     edge.clear();
   };
+  // Where another bulge begins to be the outermost, the edge leaps between two lines.
+  const auto across = [&](std::size_t i) {
+    const bool both = i + 1 < lines.size() && lines[i] && lines[i + 1];
+    return both ? std::abs(lines[i + 1]->at.x - lines[i]->at.x) : 0.0f;
+  };
+  const auto leaps = [&](std::size_t i) {
+    const float before = i > 0 ? across(i - 1) : 0.0f, after = across(i + 1);
+    return across(i) > kLeap && std::max(before, after) < 0.4f * across(i);
+  };
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i]) {
       const bool last_of_all = i + 1 == lines.size() || !lines[i + 1];
       if (edge.empty() || last_of_all || glm::length(lines[i]->at - edge.back().at) >= kRowsApart)
         edge.push_back(*lines[i]);
+      for (const std::size_t k : {i, i + 1}) {
+        if (!leaps(i)) break;
+        edge.push_back(*lines[k]);
+        edge.back().at.y = lines[i]->at.y + 0.5f;
+      }
     } else if (!edge.empty()) {
       end();
     }
@@ -299,8 +314,10 @@ void Tracer::lip() {
     if (!out.empty() && goes_on) out.push_back(below(o));
     if (goes_on || i == steps) end(out, true, false);
     if (goes_on) on_wall = o;
-    if (goes_on) hem.push_back(o);
-    if (!goes_on || i == steps) end(hem, true, true);
+    // Near the sides a texel reaches past the clay.
+    const bool facing = goes_on && cosine > 0.5f;
+    if (facing) hem.push_back(o);
+    if (!facing || i == steps) end(hem, true, true);
   }
   end(near_in, false, false);
   end(far_in, false, true);

@@ -13,7 +13,7 @@ namespace onggi::render {
 /// The picture of the unrolled lip, drawn as finely as the frame although the picture in space is
 /// smaller: round it in x, from its outer edge to its inner one in y.
 struct LipStrip {
-  static constexpr int kWide = 256, kTall = 8;
+  static constexpr int kWide = 256, kTall = 16;
   static float x(float share) { return (0.5f + share * (kWide - 1)) / kWide; }
   static float y(float share) { return (0.5f + share * (kTall - 1)) / kTall; }
   /// Its size in that picture, -1..1, and a little more, so that the outermost middles are drawn.

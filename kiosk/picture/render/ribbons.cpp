@@ -6,11 +6,11 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kStraight = 0.1f;  // pixels that a piece may lie beside its line
-constexpr float kLongest = 48.0f;  // pixels of a piece
-constexpr float kOblique = 0.6f;   // least part of a normal along the axis of a ribbon's width
-constexpr float kFlat = 0.05f;     // least such part of a level line
-constexpr float kSoft = 0.75f;     // pixels to both sides that cover part of a pixel
+constexpr float kStraight = 0.1f;       // pixels that a piece may lie beside its line
+constexpr float kLongestPiece = 48.0f;  // pixels of a piece
+constexpr float kOblique = 0.6f;        // least part of a normal along the axis of a ribbon's width
+constexpr float kLeastSteep = 0.05f;    // least such part of a level line
+constexpr float kSoft = 0.75f;          // pixels to both sides that cover part of a pixel
 
 /// To the right of `way`, of length 1 (0 if there is none).
 glm::vec2 right_of(glm::vec2 way) {
@@ -23,14 +23,14 @@ std::size_t end_of_piece(const std::vector<EdgePoint>& line, std::size_t first) 
   std::size_t end = first + 1;
   while (end + 1 < line.size()) {
     const glm::vec2 way = line[end + 1].at - line[first].at;
-    if (glm::length(way) > kLongest) break;
+    if (glm::length(way) > kLongestPiece) break;
     const glm::vec2 across = right_of(way);
-    const bool straight = std::all_of(
-        line.begin() + static_cast<std::ptrdiff_t>(first) + 1,
-        line.begin() + static_cast<std::ptrdiff_t>(end) + 1, [&](const EdgePoint& p) {
-          return std::abs(glm::dot(p.at - line[first].at, across)) <= kStraight &&
-                 glm::dot(p.at - line[first].at, way) >= 0.0f;
-        });
+    const bool straight =
+        std::all_of(line.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                    line.begin() + static_cast<std::ptrdiff_t>(end) + 1, [&](const EdgePoint& p) {
+                      return std::abs(glm::dot(p.at - line[first].at, across)) <= kStraight &&
+                             glm::dot(p.at - line[first].at, way) >= 0.0f;
+                    });
     if (!straight) break;
     ++end;
   }
@@ -65,7 +65,7 @@ void add_ribbon(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& in
     for (const int axis : {0, 1}) {
       if (level ? axis != 0 : std::abs(normal[axis]) < kOblique) continue;
       glm::vec2 out(0.0f);
-      out[axis] = 1.0f / std::copysign(std::max(std::abs(normal[axis]), kFlat), normal[axis]);
+      out[axis] = 1.0f / std::copysign(std::max(std::abs(normal[axis]), kLeastSteep), normal[axis]);
       const auto base = static_cast<std::uint32_t>(corners.size());
       for (const EdgePoint* p : {&line[i], &line[end]})
         for (const float beyond : {std::max(std::min(wide, p->most_out), kSoft),

@@ -206,9 +206,6 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 void Stage::prepare_edges(const view::PotView& pot, double scale) {
   const glm::mat4 clip = clip_of(pot.camera);
   edges_->prepare(clay_, pot, clip, scale);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_DEPTH_TEST);
   if (clay_.empty()) return;
   // As fine as the frame.
   use_clay(1, pot, clip, pixel_size(pot.camera, 1.0)).set("unrolled", LipStrip::kUnrolled);

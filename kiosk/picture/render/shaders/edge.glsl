@@ -99,9 +99,9 @@ void main() {
        out_at = (gl_FragCoord.xy + n * max(depths.x - beyond, 0.0)) / size;
   float nearest = min(texture(away, gl_FragCoord.xy / size).r,
                       min(texture(away, in_at).r, texture(away, out_at).r));
-  if (nearest < depths.z) discard;
-  vec4 one = strip.x >= 0.0 ? drawn : texture(space, in_at);
-  vec4 over = mix(texture(space, out_at), one, cover);
+  vec4 inner = texture(space, in_at), outer = texture(space, out_at);
+  if (nearest < depths.z || min(strip.x < 0.0 ? inner.a : 1.0, outer.a) < 0.99) discard;
+  vec4 over = mix(outer, strip.x >= 0.0 ? drawn : inner, cover);
 #endif
   over *= opacity;
   color = vec4(over.rgb + texelFetch(ground, ivec2(gl_FragCoord.xy), 0).rgb * (1.0 - over.a), 1.0);

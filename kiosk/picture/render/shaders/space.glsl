@@ -1,8 +1,9 @@
-// The 3-D picture, premultiplied. MODE: 0 one sample a pixel at any scale, 1 many samples at the
-// frame's own scale.
+// The 3-D picture, premultiplied, over the ground. MODE: 0 one sample a pixel at any scale, 1 many
+// samples at the frame's own scale.
 
 uniform vec2 size;  // of the frame, pixels
 uniform vec4 box;   // pixels from the lower left
+uniform sampler2D ground;
 uniform float opacity;
 #if MODE == 0
 uniform sampler2D space;
@@ -24,13 +25,14 @@ void main() {
 in vec2 uv;
 out vec4 color;
 void main() {
-#if MODE == 0
-  color = texture(space, uv) * opacity;
-#else
   ivec2 pixel = ivec2(gl_FragCoord.xy);
+#if MODE == 0
+  vec4 over = texture(space, uv) * opacity;
+#else
   vec4 over = vec4(0.0);
   for (int i = 0; i < samples; ++i) over += texelFetch(space, pixel, i);
-  color = over * (opacity / float(samples));
+  over *= opacity / float(samples);
 #endif
+  color = vec4(over.rgb + texelFetch(ground, pixel, 0).rgb * (1.0 - over.a), 1.0);
 }
 #endif

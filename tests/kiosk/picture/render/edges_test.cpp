@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 #include "kiosk/picture/render/canvas.h"
 #include "kiosk/picture/render/items.h"
@@ -89,12 +88,9 @@ class AnEdge : public StudioTest {
       for (float& d : *metres)
         d = d >= 1.0f ? kFarAway : projection[14] / (2.0f * d - 1.0f + projection[10]);
     }
-    calls::bind_framebuffer(GL_READ_FRAMEBUFFER, ground.framebuffer());
-    calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, plaster.framebuffer());
-    calls::copy(0, 0, frame.width, frame.height);
     plaster.bind();
     const view::Rect all{0, 0, static_cast<float>(frame.width), static_cast<float>(frame.height)};
-    stage_->backdrop().lay(space, all, 1.0f, frame.width, frame.height);
+    stage_->backdrop().lay(space, ground.color(), all, 1.0f, frame.width, frame.height);
     view::Image image{frame.width, frame.height, {}};
     const auto row = static_cast<std::size_t>(frame.width) * 4;
     std::vector<std::uint8_t> rows(row * static_cast<std::size_t>(frame.height));
@@ -217,14 +213,14 @@ std::unique_ptr<ItemPainter> AnEdge::items_;
 
 TEST_F(AnEdge, OfAJarIsSmooth) {
   if (renderer().status().embedded) GTEST_SKIP() << "OpenGL ES reads no depth back";
-  expect_smooth(show(kEdgedJar, edged_jar, 0.20, 0.09), "jar", {{{0.40, 0.002}, {0.28, 0.002}}});
+  expect_smooth(show(kEdgedJar, edged_jar, 0.20, 0.09), "jar", {{{0.34, 0.0005}, {0.21, 0.0005}}});
 }
 
 TEST_F(AnEdge, OfAWetBowlIsSmooth) {
   if (renderer().status().embedded) GTEST_SKIP() << "OpenGL ES reads no depth back";
   view::Frame frame = show(kEdgedBowl, edged_bowl, 0.09, 0.09);
   frame.pot->wetness = 0.8;
-  expect_smooth(frame, "wet_bowl", {{{0.45, 0.002}, {0.32, 0.002}}});
+  expect_smooth(frame, "wet_bowl", {{{0.41, 0.006}, {0.27, 0.006}}});
 }
 
 TEST_F(AnEdge, OfAPaintedGlazeIsSmooth) {
@@ -234,7 +230,7 @@ TEST_F(AnEdge, OfAPaintedGlazeIsSmooth) {
   frame.pot->size = 0.9;
   frame.pot->glazing.look.band_height = 0.6f;
   frame.pot->glazing.look.band_width = 0.05f;
-  expect_smooth(frame, "glazed_jar", {{{0.55, 0.004}, {0.40, 0.004}}});
+  expect_smooth(frame, "glazed_jar", {{{0.45, 0.001}, {0.30, 0.001}}});
 }
 
 TEST_F(AnEdge, OfATornJarIsSmooth) {
@@ -242,74 +238,32 @@ TEST_F(AnEdge, OfATornJarIsSmooth) {
   const view::Frame frame = show(kEdgedJar, edged_jar, 0.20, 0.09);
   tear(clay_, 150, 156);
   stage_->clay().show(clay_);
-  expect_smooth(frame, "torn_jar", {{{0.60, 0.01}, {0.50, 0.01}}});
+  expect_smooth(frame, "torn_jar", {{{0.55, 0.001}, {0.43, 0.007}}});
 }
 
 TEST_F(AnEdge, OfAnOpenedJarIsSmooth) {
   if (renderer().status().embedded) GTEST_SKIP() << "OpenGL ES reads no depth back";
   view::Frame frame = show(kEdgedJar, edged_jar, 0.20, 0.09);
   frame.pot->cut_away = 1.0;
-  expect_smooth(frame, "opened_jar", {{{0.72, 0.07}, {0.60, 0.07}}});
+  expect_smooth(frame, "opened_jar", {{{0.71, 0.07}, {0.58, 0.07}}});
 }
 
-// A finger before the rim is not painted over by the edge behind it.
+// A finger before the rim, or before the wheel head's, is not painted over by the edge behind it.
 TEST_F(AnEdge, BehindAFingerStaysHidden) {
   view::Frame frame = show(kEdgedJar, edged_jar, 0.20, 0.09);
-  frame.pot->hands[0] = {.present = true, .radius = 0.012, .at = {0.0, 0.195, 0.09}};
-  const view::Image image = drawn(frame, 0.5);
-  keep_for_looking(image, "edges_behind_finger");
-  renderer().show_clay(clay_);
-  const view::Image full = renderer().draw_offscreen(frame);
-  const auto at = *frame.pot->camera.project({0.0, 0.195, 0.09});
-  const int x = static_cast<int>(at.first), y = static_cast<int>(at.second);
-  for (int i = -2; i <= 2; ++i)
-    for (int j = -2; j <= 2; ++j) {
-      const Pixel p = pixel_at(image, x + i, y + j), q = pixel_at(full, x + i, y + j);
-      EXPECT_LT(std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b), 24);
-    }
-}
-
-TEST_F(AnEdge, Timing) {
-  view::Frame frame = show(kEdgedJar, edged_jar, 0.20, 0.09);
-  frame = frame_with_pot(1920, 1080, 0.20, 0.09);
-  frame.pot->wetness = 0.5;
-  const auto cpu = [] { timespec t; clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t); return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec; };
-  const auto ms_of = [&](const char* name, const auto& what) {
-    double least = 1e9, wall = 1e9;
-    for (int i = 0; i < 25; ++i) {
-      const auto begun = std::chrono::steady_clock::now();
-      const double c = cpu();
-      what();
-      glFinish();
-      least = std::min(least, cpu() - c);
-      wall = std::min(wall, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
-    }
-    std::printf("   %-14s cpu %.2f wall %.2f\n", name, least, wall);
-  };
-  for (const double scale : {0.5, 0.35, 0.25}) {
-    std::printf("scale %.2f\n", scale);
-    Canvas canvas;
-    const Painters with{*stage_, *items_, {}};
-    ms_of("frame", [&] { canvas.paint(with, frame, {.samples = 0}, scale, Canvas::Onto::own); });
-    const Target space(static_cast<int>(1920 * scale), static_cast<int>(1080 * scale), true, 0),
-        ground(1920, 1080, false, 0), onto(1920, 1080, false, 0);
-    const view::Rect box = reach_of(*frame.pot, stage_->clay().height(), stage_->clay().max_radius(), 1920, 1080, Reach::solid);
-    std::printf("   box %.0f x %.0f\n", box.w, box.h);
-    ms_of("space", [&] { space.bind(); glDisable(GL_SCISSOR_TEST); stage_->draw_pot(*frame.pot, {.samples = 0}, scale); glDisable(GL_SCISSOR_TEST); });
-    ms_of("copy", [&] { calls::bind_framebuffer(GL_READ_FRAMEBUFFER, ground.framebuffer()); calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, onto.framebuffer()); calls::copy(0, 0, 1920, 1080); });
-    ms_of("lay", [&] { onto.bind(); stage_->backdrop().lay(space, box, 1.0f, 1920, 1080); });
-    ms_of("prepare_edges", [&] { stage_->prepare_edges(*frame.pot, scale); });
-    ms_of("draw_edges", [&] { onto.bind(); stage_->draw_edges(space, ground.color(), 1.0f, 1920, 1080); });
-    const glm::mat4 clip = [&]{ glm::mat4 v, p; frame.pot->camera.matrices(&v[0][0], &p[0][0]); return p * v; }();
-    ms_of("outline_of", [&] { outline_of(stage_->clay(), *frame.pot, clip, static_cast<float>(1.42 / scale)); });
-    ms_of("nothing", [&] { onto.bind(); });
-    {
-      view::Frame small = frame_with_pot(kWidth, kHeight, 0.20, 0.09);
-      ms_of("720 window", [&] { canvas.paint(with, small, {.samples = 0}, scale, Canvas::Onto::window); });
-      ms_of("720 own", [&] { canvas.paint(with, small, {.samples = 0}, scale, Canvas::Onto::own); });
-    }
-    Target s4(static_cast<int>(1920 * scale), static_cast<int>(1080 * scale), true, 4);
-    ms_of("space 4", [&] { s4.bind(); glDisable(GL_SCISSOR_TEST); stage_->draw_pot(*frame.pot, {.samples = 4}, scale); glDisable(GL_SCISSOR_TEST); });
+  for (const Vec3 tip : {Vec3{0.0, 0.195, 0.09}, Vec3{0.0, 0.0, frame.pot->wheel_radius + 0.013}}) {
+    frame.pot->hands[0] = {.present = true, .radius = 0.012, .at = tip};
+    const view::Image image = drawn(frame, 0.5);
+    keep_for_looking(image, "edges_behind_finger_" + std::to_string(std::lround(1e3 * tip.y)));
+    renderer().show_clay(clay_);
+    const view::Image full = renderer().draw_offscreen(frame);
+    const auto at = *frame.pot->camera.project(tip);
+    const int x = static_cast<int>(at.first), y = static_cast<int>(at.second);
+    for (int i = -2; i <= 2; ++i)
+      for (int j = -2; j <= 2; ++j) {
+        const Pixel p = pixel_at(image, x + i, y + j), q = pixel_at(full, x + i, y + j);
+        EXPECT_LT(std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b), 24) << tip.y;
+      }
   }
 }
 
@@ -343,14 +297,13 @@ TEST_F(AnEdge, CostsFewShaderRuns) {
       stage_->draw_edges(space, ground.color(), 1.0f, 1920, 1080);
       glFinish();
     };
+    // Of all threads, so that other work on the machine tells little.
     const auto ms_of = [](const auto& what) {
       double least = 1e9;
       for (int i = 0; i < 12; ++i) {
-        const auto begun = std::chrono::steady_clock::now();
+        const std::clock_t begun = std::clock();
         what();
-        least = std::min(least, std::chrono::duration<double, std::milli>(
-                                    std::chrono::steady_clock::now() - begun)
-                                    .count());
+        least = std::min(least, 1e3 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC);
       }
       return least;
     };
@@ -360,7 +313,7 @@ TEST_F(AnEdge, CostsFewShaderRuns) {
     const double all = runs_of(paint), of_edges = runs_of(edges);
     std::printf("scale %.2f: a frame %.0f fragments and %.2f ms, its edges %.0f and %.2f ms\n",
                 scale, all, ms_of(paint), of_edges, ms_of(edges));
-    EXPECT_LT(of_edges, (scale > 0.4 ? 0.11 : 0.18) * all) << scale;
+    EXPECT_LT(of_edges, (scale > 0.4 ? 0.07 : 0.13) * all) << scale;
     EXPECT_GT(of_edges, 1000.0) << scale;
   }
 }
