@@ -97,6 +97,11 @@ void Canvas::paint_pot(Stage& stage, const view::Frame& frame, const Quality& qu
     space_ = Target();
     space_ = Target(w, h, true, samples_);
   }
+  if (samples_ == 0) {
+    glDisable(GL_SCISSOR_TEST);
+    stage.prepare_edges(*frame.pot, scale);
+    glEnable(GL_SCISSOR_TEST);
+  }
   space_.bind();
   stage.draw_pot(*frame.pot, quality, scale);
 }
@@ -192,10 +197,11 @@ void Canvas::compose(GLuint framebuffer, const Painters& with) {
   calls::copy(0, high, width, height - high);
   calls::bind_framebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, width, height);
-  if (pot)
-    with.stage.backdrop().lay(space_, ground.color(), box,
-                              static_cast<float>(std::clamp(frame_.pot->opacity, 0.0, 1.0)), width,
-                              height);
+  if (pot) {
+    const auto opacity = static_cast<float>(std::clamp(frame_.pot->opacity, 0.0, 1.0));
+    with.stage.backdrop().lay(space_, ground.color(), box, opacity, width, height);
+    if (samples_ == 0) with.stage.draw_edges(space_, ground.color(), opacity, width, height);
+  }
   with.items.draw(frame_.items, with.pictures, width, height);
   if (frame_.fade > 0 && has_before_)
     with.items.draw_layer(before_.color(), std::clamp(frame_.fade, 0.0f, 1.0f), width, height);

@@ -166,6 +166,27 @@ double ClaySurface::rim_wall() const {
   return static_cast<double>(mean_outer_[top] - mean_inner_[top]);
 }
 
+float ClaySurface::radius_at(const Radii& radii, float round, float up, float lowest) const {
+  const float at = std::clamp(up, 0.0f, 1.0f) * (kHeights - 1);
+  const auto k = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(kHeights - 2));
+  const float share =
+      std::max(std::lerp(heights_[2 * k], heights_[2 * k + 2], at - static_cast<float>(k)), lowest);
+  const float row = std::clamp(share * static_cast<float>(all_drawn_) - 0.5f, 0.0f,
+                               static_cast<float>(rows_ - 1)),
+              sector = (round - std::floor(round)) * static_cast<float>(sectors_) - 0.5f;
+  const auto j = static_cast<int>(row), i = static_cast<int>(std::floor(sector));
+  const int above = std::min(j + 1, rows_ - 1), left = (i + sectors_) % sectors_,
+            right = (i + 1) % sectors_;
+  const auto texel = [&](int x, int y) {
+    return static_cast<float>(
+        radii.steps[static_cast<std::size_t>(y) * row_.size() + static_cast<std::size_t>(x)]);
+  };
+  const float across = sector - static_cast<float>(i), along = row - static_cast<float>(j);
+  return widest_ / 65535.0f *
+         std::lerp(std::lerp(texel(left, j), texel(right, j), across),
+                   std::lerp(texel(left, above), texel(right, above), across), along);
+}
+
 bool ClaySurface::refresh(Texture& levels_texture) {
   if (!changed_ || rows_ < 2) return false;
   const bool moved = !stacked_;

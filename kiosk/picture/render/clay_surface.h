@@ -44,6 +44,11 @@ class ClaySurface {
   /// there, as a share of the radius textures, and the derivative of that share with respect to the
   /// share of the height.
   const Texture& row_at() const { return row_at_; }
+  /// Radii as the shader reads them, metres: `round` is the share of a turn, `up` of the height.
+  float outer_at(float round, float up) const { return radius_at(outer_, round, up, 0.0f); }
+  float inner_at(float round, float up) const {
+    return radius_at(inner_, round, up, first_wall_row_);
+  }
   /// The lowest row above the floor, as a share of the radius textures.
   float first_wall_row() const { return first_wall_row_; }
   const Tears& tears() const { return tears_; }
@@ -71,6 +76,7 @@ class ClaySurface {
     int from = 0, to = 0;     // rows
     int left = 0, right = 0;  // sectors
   };
+  float radius_at(const Radii& radii, float round, float up, float lowest) const;
   void make_room(const ClayView& clay);
   /// A texel of 1 covers the clay's widest radius with a margin.
   void make_wide(const ClayView& clay);

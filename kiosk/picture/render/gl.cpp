@@ -108,13 +108,21 @@ Target::Target(int width, int height, bool depth, int samples) : width_(width), 
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name.get(),
                            0);
   }
-  if (depth) {
+  if (!depth) return;
+  if (samples > 0) {
     GLuint buffer = 0;
     glGenRenderbuffers(1, &buffer);
-    depth_ = RenderbufferName(buffer);
+    sampled_depth_ = RenderbufferName(buffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH24_STENCIL8, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, buffer);
+  } else {
+    depth_ = Texture::create(GL_DEPTH24_STENCIL8, width, height, GL_DEPTH_STENCIL,
+                             GL_UNSIGNED_INT_24_8, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D,
+                           depth_.name.get(), 0);
   }
 }
 

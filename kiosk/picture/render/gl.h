@@ -72,6 +72,9 @@ class Program {
   void set(const char* uniform, glm::vec2 v) const { glUniform2f(at(uniform), v.x, v.y); }
   void set(const char* uniform, glm::vec3 v) const { glUniform3f(at(uniform), v.x, v.y, v.z); }
   void set(const char* uniform, glm::vec4 v) const { glUniform4f(at(uniform), v.x, v.y, v.z, v.w); }
+  void set(const char* uniform, const glm::mat3& m) const {
+    glUniformMatrix3fv(at(uniform), 1, GL_FALSE, &m[0][0]);
+  }
   void set(const char* uniform, const glm::mat4& m) const {
     glUniformMatrix4fv(at(uniform), 1, GL_FALSE, &m[0][0]);
   }
@@ -111,6 +114,8 @@ class Target {
   /// Only for targets without multisampling.
   const Texture& color() const { return color_; }
   Texture take_color() { return std::move(color_); }
+  /// Only for targets with depth and without multisampling.
+  const Texture& depth() const { return depth_; }
   GLuint framebuffer() const { return framebuffer_.get(); }
 
  private:
@@ -118,7 +123,8 @@ class Target {
   FramebufferName framebuffer_;
   Texture color_;
   TextureName sampled_;
-  RenderbufferName depth_;
+  Texture depth_;
+  RenderbufferName sampled_depth_;
 };
 
 /// Indexed triangles, one triangle strip, or points, with interleaved float attributes of the given

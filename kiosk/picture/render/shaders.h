@@ -17,5 +17,6 @@ extern const char* const k_ground_glsl;
 extern const char* const k_opaque_glsl;
 extern const char* const k_plaster_glsl;
 extern const char* const k_item_glsl;
+extern const char* const k_edge_glsl;
 
 }  // namespace onggi::render

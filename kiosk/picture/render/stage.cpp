@@ -102,6 +102,7 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   make(stage->solid_program_, "solid", k_solid_glsl, true, 0, 0);
   keep(stage->tools_, ToolPainter::create());
   keep(stage->soft_edges_, SoftEdges::create());
+  keep(stage->edges_, Edges::create());
   keep(stage->skin_reader_, SkinReader::create());
   keep(stage->backdrop_, Backdrop::create());
   if (!fine) return tl::unexpected(fine.error());
@@ -202,6 +203,15 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   glDisable(GL_DEPTH_TEST);
 }
 
+void Stage::prepare_edges(const view::PotView& pot, double scale) {
+  const glm::mat4 clip = clip_of(pot.camera);
+  edges_->prepare(clay_, pot, clip, scale);
+  if (clay_.empty()) return;
+  // As fine as the frame.
+  use_clay(1, pot, clip, pixel_size(pot.camera, 1.0)).set("unrolled", LipStrip::kUnrolled);
+  edges_->draw_lip();
+}
+
 void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel) {
   const Program& program = wheel_program_;
   glFrontFace(GL_CW);
@@ -263,6 +273,7 @@ void Stage::set_clay(const Program& program, const view::PotView& pot, const glm
   program.set("front", front_of(pot.camera));
   program.set("opened", open);
   program.set("mirrored", 0.0f);
+  program.set("unrolled", glm::vec2(0.0f));
   program.set("share", 1.0f);
   program.set("pixel", pixel / size);
   program.set("wetness", static_cast<float>(pot.wetness));

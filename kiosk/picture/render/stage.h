@@ -8,6 +8,7 @@
 #include "kiosk/picture/render/backdrop.h"
 #include "kiosk/picture/render/clay_skin.h"
 #include "kiosk/picture/render/clay_surface.h"
+#include "kiosk/picture/render/edges.h"
 #include "kiosk/picture/render/gl.h"
 #include "kiosk/picture/render/portrait.h"
 #include "kiosk/picture/render/skin_reader.h"
@@ -50,6 +51,14 @@ class Stage {
   /// Draws the pot and the vessel beside it into the bound target, which is `scale` times the
   /// camera's size.
   void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
+  /// Call before draw_pot() with one sample a pixel, if its edges are to be smooth: finds them, and
+  /// draws the lip for them. Leaves another target bound.
+  void prepare_edges(const view::PotView& pot, double scale);
+  /// Smooths the edges of a picture in `space` that is laid over `ground` in the bound frame.
+  void draw_edges(const Target& space, const Texture& ground, float opacity, int width,
+                  int height) {
+    edges_->draw(space, ground, opacity, width, height);
+  }
   void draw_portrait(const Portrait& portrait);
   /// The clay's surface at the positions of `mesh`, which must be the clay's own: dry, or fired in
   /// `glazing`. Ignores the bound target, and leaves another one bound.
@@ -79,6 +88,7 @@ class Stage {
   std::unique_ptr<SkinReader> skin_reader_;
   std::unique_ptr<Backdrop> backdrop_;
   SoftEdges soft_edges_;
+  std::unique_ptr<Edges> edges_;
   Program wheel_program_, solid_program_;
   std::array<Mesh, 4> walls_, facing_;
   std::array<Mesh, 3> lips_;

@@ -15,6 +15,7 @@ uniform vec2 grid;  // sectors, rows of the textures
 uniform float first_wall_row, top_row, lip_radius, mean_lip;
 uniform float height, floor_height, clay_angle, open_from, open_angle, front, pixel;
 uniform float mirrored;  // 1: the reflection in the wheel head
+uniform vec2 unrolled;   // size of the lip in its own picture (edges.h); 0: in space
 uniform float share;     // the drawn share of the outer wall's height, from the foot
 uniform float wetness, opened;
 uniform vec3 dry_color, wet_color;
@@ -121,6 +122,9 @@ void main() {
   surface = vec2(angle, y / height);
   vec3 drawn = mirrored > 0.5 ? vec3(position.x, -position.y, position.z) : position;
   gl_Position = clip_from_studio * vec4(drawn, 1.0);
+#if PART == 1
+  if (unrolled.x > 0.0) gl_Position = vec4((place - 0.5) * unrolled, 0.0, 1.0);
+#endif
 }
 #endif
 #endif

@@ -40,13 +40,16 @@ struct Once {
 constexpr Once kOnce[] = {{"attract", 22.0, 61800, 121212, 15071, 1702708},
                           {"throwing", 85.5, 178081, 175956, 38219, 1862946}};
 
+// Smooth edges did not exist then: the lip's strip, creases and outlines.
+constexpr double kEdges = 3.0, kBytesOfEdges = 64e3;
+
 TEST_F(AFrameOfTheExhibit, AsksForHalfAsManyDrawCallsVerticesAndBytesAsItOnceDid) {
   for (const Once& once : kOnce) {
     const FrameLoad& load = loads_[once.screen];
-    EXPECT_LE(load.a_frame(load.work.draws), 0.5 * once.draws) << once.screen;
-    EXPECT_LE(load.a_frame(load.work.draws), 13.0) << once.screen;
+    EXPECT_LE(load.a_frame(load.work.draws), 0.5 * once.draws + kEdges) << once.screen;
+    EXPECT_LE(load.a_frame(load.work.draws), 13.0 + kEdges) << once.screen;
     EXPECT_LE(load.a_frame(load.work.vertices), 0.5 * once.vertices) << once.screen;
-    EXPECT_LE(load.a_frame(load.work.bytes), 0.5 * once.bytes) << once.screen;
+    EXPECT_LE(load.a_frame(load.work.bytes), 0.5 * once.bytes + kBytesOfEdges) << once.screen;
     // It does draw.
     EXPECT_GE(load.a_frame(load.work.draws), 6.0) << once.screen;
     EXPECT_GE(load.a_frame(load.work.vertices), 3e3) << once.screen;

@@ -1,0 +1,351 @@
+#include "kiosk/picture/render/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/scalar_constants.hpp>
+#include <optional>
+
+#include "kiosk/picture/render/backdrop.h"
+
+namespace onggi::render {
+namespace {
+
+constexpr float kPi = glm::pi<float>();
+constexpr int kRimCorners = 96;     // as in the wheel head's mesh
+constexpr float kRowsApart = 1.0f;  // pixels between points of the wall's sides, at least
+constexpr float kLeap = 1.5f;       // pixels between two lines of the wall's sides
+constexpr float kOnHead = 0.0003f;  // m: nearer to the eye than the wheel head's plane
+// Metres by which what lies behind an edge is farther, and by which what hides it is nearer.
+constexpr float kBehind = 0.004f, kHides = 0.012f;
+constexpr float kAll = 0.99999f;  // depth of what is drawn at all
+constexpr float kNarrow = 4.0f;   // texels: a narrower lip needs a strip
+constexpr float kCorner = 1.0f;   // texels: less room in the mouth is none
+
+class Tracer {
+ public:
+  Tracer(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip, float texel)
+      : clay_(clay),
+        pot_(pot),
+        clip_(clip),
+        frame_(pot.camera.width, pot.camera.height),
+        texel_(texel),
+        beside_(1.42f * texel),
+        size_(static_cast<float>(std::clamp(pot.size, 0.5, 1.0))),
+        front_(0.5f * kPi - static_cast<float>(pot.camera.azimuth)),
+        open_(0.5f * kPi * static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0))),
+        height_(static_cast<float>(clay.height())) {
+    float view[16], projection[16];
+    pot.camera.matrices(view, projection);
+    of_distance_ = {projection[10], projection[14]};
+    pixels_ = 0.5f * projection[5] * frame_.y;
+    const glm::vec3 eye = vec(pot.camera.eye()) / size_;
+    away_ = std::hypot(eye.x, eye.z);
+    eye_y_ = eye.y;
+    shoulder_ = height_ - std::min(clay.lip(), 0.5f * height_);
+  }
+
+  Ribbons trace() {
+    if (pot_.wheel) wheel_head();
+    if (!clay_.empty() && height_ > 0.0f) {
+      side(-1.0f);
+      side(1.0f);
+      foot();
+      lip();
+      if (open_ > 0.001f) section();
+    }
+    return std::move(out_);
+  }
+
+ private:
+  struct Projected {
+    glm::vec2 at;
+    float metres;
+  };
+  Projected project(glm::vec3 p) const {
+    const glm::vec4 c = clip_ * glm::vec4(p, 1.0f);
+    return {(0.5f + 0.5f * glm::vec2(c) / c.w) * frame_, c.w};
+  }
+  float depth_of(float metres) const {
+    return 0.5f + 0.5f * (of_distance_.y / metres - of_distance_.x);
+  }
+  /// `turned` from the side that faces the eye.
+  glm::vec3 place(float turned, float rho, float y) const {
+    const float a = front_ + turned;
+    return {rho * std::cos(a), y, rho * std::sin(a)};
+  }
+  EdgePoint clay_at(float turned, float rho, float y, float hides = kHides,
+                    float behind = kBehind) const {
+    const Projected p = project(size_ * place(turned, rho, y));
+    return {p.at, {depth_of(p.metres - hides), depth_of(p.metres + behind), 0.0f}};
+  }
+  EdgePoint wheel_at(float turned, float rho, float y) const {
+    const Projected p = project(place(turned, rho, y));
+    return {p.at, {depth_of(p.metres - kHides), kAll, 1.0f}};
+  }
+  float outer(float turned, float y) const { return clay_.outer_at(share_of(turned), y / height_); }
+  float inner(float turned, float y) const { return clay_.inner_at(share_of(turned), y / height_); }
+  float share_of(float turned) const {
+    return (front_ + turned - static_cast<float>(pot_.clay_angle)) / (2.0f * kPi);
+  }
+  /// The cut-away has no clay there.
+  bool left_out(float turned) const { return turned < 0.0f && turned > -open_; }
+  void outline(const std::vector<EdgePoint>& line, bool level = false) {
+    add_ribbon(out_.corners, out_.outlines, line, texel_, level);
+  }
+  void crease(std::vector<EdgePoint>& line) {
+    for (EdgePoint& p : line)
+      p.depths = {std::min(beside_, p.most_out), std::min(beside_, p.most_in), p.depths.x};
+    add_ribbon(out_.corners, out_.creases, line, texel_, false);
+  }
+
+  void wheel_head();
+  void side(float sign);
+  void foot();
+  void lip();
+  void section();
+
+  const ClaySurface& clay_;
+  const view::PotView& pot_;
+  const glm::mat4 clip_;
+  const glm::vec2 frame_;
+  const float texel_;
+  const float beside_;  // pixels from a crease where no texel reaches over it, whatever its way
+  const float size_, front_, open_, height_;
+  glm::vec2 of_distance_{0.0f};  // makes depth of a distance (Camera::matrices)
+  float pixels_ = 1;             // in a metre, a metre before the eye
+  float away_ = 1, eye_y_ = 0, shoulder_ = 0;
+  Ribbons out_;
+};
+
+// A disc with a band below. The band turns away from the eye at the same angle all the way down.
+void Tracer::wheel_head() {
+  const auto radius = static_cast<float>(pot_.wheel_radius);
+  const Projected middle = project(glm::vec3(0.0f)), right = project({radius, 0.0f, 0.0f}),
+                  near = project({0.0f, 0.0f, radius});
+  const glm::mat2 ways(right.at - middle.at, near.at - middle.at);
+  if (std::abs(glm::determinant(ways)) < 1.0f) return;  // the eye is level with it
+  const float depth = depth_of(middle.metres);
+  const glm::vec2 slope =
+      glm::vec2(depth_of(right.metres) - depth, depth_of(near.metres) - depth) * glm::inverse(ways);
+  out_.head = {slope, depth - glm::dot(slope, middle.at),
+               -0.5f * kOnHead * of_distance_.y / (middle.metres * middle.metres)};
+
+  // From a point of the plane, in radii, to a pixel, and back.
+  const glm::mat3 pixel_of(
+      glm::vec3(right.at * right.metres - middle.at * middle.metres, right.metres - middle.metres),
+      glm::vec3(near.at * near.metres - middle.at * middle.metres, near.metres - middle.metres),
+      glm::vec3(middle.at * middle.metres, middle.metres));
+  const glm::mat3 back = glm::inverse(pixel_of);
+  out_.disc = glm::transpose(back) * glm::mat3(1, 0, 0, 0, 1, 0, 0, 0, -1) * back;
+
+  const float tangent = std::acos(std::min(radius / (away_ * size_), 1.0f));
+  // From the visitor's left over the near side to the right, and over the far side back. Below the
+  // near side is the band.
+  std::vector<EdgePoint> low{wheel_at(tangent, radius, 0.0f)}, near_side, far_side;
+  for (int i = 0; i <= kRimCorners; ++i) {
+    const float t = static_cast<float>(i) / kRimCorners, turned = tangent * (1.0f - 2.0f * t);
+    low.push_back(wheel_at(turned, radius, Backdrop::kTable));
+    far_side.push_back(wheel_at(-tangent - 2.0f * (kPi - tangent) * t, radius, 0.0f));
+    // At its ends lies the plaster below, not the band.
+    if (std::abs(turned) < tangent - 0.3f) near_side.push_back(wheel_at(turned, radius, 0.0f));
+  }
+  low.push_back(wheel_at(-tangent, radius, 0.0f));
+  crease(near_side);
+  outline(low);
+  outline(far_side);
+}
+
+// Where the wall turns away from the eye, row by row, and of all that the outermost on each line of
+// the picture: the bulges between grooves hide the rest. The angle grows to the visitor's left.
+void Tracer::side(float sign) {
+  const glm::vec2 low = clay_at(0.5f * kPi, outer(0.5f * kPi, 0.0f), 0.0f).at;
+  const glm::vec2 high = clay_at(0.5f * kPi, outer(0.5f * kPi, shoulder_), shoulder_).at;
+  const int rows = std::clamp(static_cast<int>(glm::length(high - low)), 16, 600);
+  const float step = shoulder_ / static_cast<float>(rows);
+  std::vector<std::optional<EdgePoint>> lines(static_cast<std::size_t>(frame_.y));
+  const auto along = [&](const EdgePoint& one, const EdgePoint& other) {
+    const EdgePoint& a = one.at.y < other.at.y ? one : other;
+    const EdgePoint& b = one.at.y < other.at.y ? other : one;
+    const auto top = static_cast<int>(frame_.y) - 1;
+    const int from = std::max(static_cast<int>(std::ceil(a.at.y - 0.5f)), 0),
+              to = std::min(static_cast<int>(std::floor(b.at.y - 0.5f)), top);
+    for (int line = from; line <= to; ++line) {
+      const float t = (static_cast<float>(line) + 0.5f - a.at.y) / std::max(b.at.y - a.at.y, 1e-6f);
+      const EdgePoint p{glm::mix(a.at, b.at, t), glm::mix(a.depths, b.depths, t)};
+      std::optional<EdgePoint>& most = lines[static_cast<std::size_t>(line)];
+      if (!most || sign * (most->at.x - p.at.x) > 0.0f) most = p;
+    }
+  };
+  // Rows that face the eye all round have no side, nor have those that it does not see. The side
+  // ends between such a row and the next.
+  struct Side {
+    EdgePoint at;
+    bool is = false;
+  };
+  Side last;
+  float turned = sign * 0.45f * kPi;
+  for (int k = 0; k <= rows; ++k) {
+    const float y = step * static_cast<float>(k);
+    const float below = std::max(y - step, 0.0f), above = std::min(y + step, shoulder_);
+    Side here;
+    for (int times = 0; times < 2; ++times) {
+      const float r = outer(turned, y);
+      const float slope = (outer(turned, above) - outer(turned, below)) / (above - below);
+      const float cosine = (r + slope * (eye_y_ - y)) / away_;
+      here.is = std::abs(cosine) < 1.0f;
+      turned = sign * std::acos(std::clamp(cosine, -1.0f, 1.0f));
+    }
+    // What the ribbon covers of the wall is that much nearer than its side.
+    const float r = outer(turned, y), wide = 1.5f * texel_ * away_ * size_ / pixels_;
+    here.at = clay_at(turned, r, y, kHides + std::sqrt(2.0f * r * size_ * wide));
+    const bool gone = left_out(turned);
+    if (gone) here.is = false;
+    if (k > 0 && !gone && (here.is || last.is)) along(here.at, last.at);
+    last = here;
+  }
+  std::vector<EdgePoint> edge;
+  const auto end = [&] {
+    if (sign > 0.0f) std::reverse(edge.begin(), edge.end());
+    outline(edge, true);
+    edge.clear();
+  };
+  // Where another bulge begins to be the outermost, the edge leaps between two lines.
+  const auto across = [&](std::size_t i) {
+    const bool both = i + 1 < lines.size() && lines[i] && lines[i + 1];
+    return both ? std::abs(lines[i + 1]->at.x - lines[i]->at.x) : 0.0f;
+  };
+  const auto leaps = [&](std::size_t i) {
+    const float before = i > 0 ? across(i - 1) : 0.0f, after = across(i + 1);
+    return across(i) > kLeap && std::max(before, after) < 0.4f * across(i);
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i]) {
+      const bool last_of_all = i + 1 == lines.size() || !lines[i + 1];
+      if (edge.empty() || last_of_all || glm::length(lines[i]->at - edge.back().at) >= kRowsApart)
+        edge.push_back(*lines[i]);
+      for (const std::size_t k : {i, i + 1}) {
+        if (!leaps(i)) break;
+        edge.push_back(*lines[k]);
+        edge.back().at.y = lines[i]->at.y + 0.5f;
+      }
+    } else if (!edge.empty()) {
+      end();
+    }
+  }
+  if (!edge.empty()) end();
+}
+
+void Tracer::foot() {
+  const float r = outer(0.0f, 0.0f);
+  const float side = std::acos(std::min(r / away_, 1.0f));
+  std::vector<EdgePoint> edge;
+  constexpr int kSteps = 48;
+  for (int i = kSteps; i >= 0; --i) {
+    const float turned = side * (2.0f * static_cast<float>(i) / kSteps - 1.0f);
+    if (!left_out(turned)) edge.push_back(clay_at(turned, outer(turned, 0.0f), 0.0f));
+  }
+  outline(edge);
+}
+
+void Tracer::lip() {
+  const bool hollow = clay_.inner_at(0.0f, 1.0f) > 0.0f;
+  const glm::vec2 left = clay_at(0.5f * kPi, outer(0.5f * kPi, height_), height_).at,
+                  right = clay_at(-0.5f * kPi, outer(-0.5f * kPi, height_), height_).at;
+  const int steps = std::clamp(static_cast<int>(0.35f * glm::length(left - right)), 48, 160);
+  // Across the mouth lies what is seen behind the near lip.
+  const float behind = std::min(2.0f * kBehind, inner(0.0f, height_));
+  // From the middle, or from the cut-away's left side, round to the visitor's left.
+  const float span = 2.0f * kPi - open_;
+  std::vector<EdgePoint> out, near_in, far_in, hem;
+  std::optional<EdgePoint> on_wall;  // the last point where the wall goes on below the lip
+  // The wall meets the lip upright, so that its first bend is seen.
+  const auto below = [](EdgePoint p) {
+    p.at.y -= 1.5f;
+    return p;
+  };
+  const auto end = [&](std::vector<EdgePoint>& edge, bool reversed, bool is_crease) {
+    if (reversed) std::reverse(edge.begin(), edge.end());
+    is_crease ? crease(edge) : outline(edge);
+    edge.clear();
+  };
+  for (int i = 0; i <= steps; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(steps), turned = span * share;
+    const float top = outer(turned, height_) - (hollow ? inner(turned, height_) : 0.0f);
+    const float deep = std::min(static_cast<float>(kLipRadius), hollow ? 0.5f * top : top);
+    const float wide = outer(turned, height_ - deep),
+                hole = hollow ? inner(turned, height_ - deep) : 0.0f;
+    const float wall = wide - hole;
+    const float edge = std::min(deep, hollow ? 0.5f * wall : wall), base = height_ - deep;
+    const auto tilt = [&](float beyond) {
+      return std::clamp(std::atan2(beyond, eye_y_ - height_), 0.0f, 0.5f * kPi);
+    };
+    const float cosine = std::cos(turned);
+    const float a = tilt(wide - away_ * cosine), b = tilt(away_ * cosine - hole);
+    const float rho_out = wide - edge * (1.0f - std::cos(a)),
+                rho_in = hole + edge * (1.0f - std::cos(b));
+    const auto along = [&](float rho) {
+      return std::acos(std::clamp(1.0f - 2.0f * (wide - rho) / wall, -1.0f, 1.0f)) / kPi;
+    };
+    EdgePoint o = clay_at(turned, rho_out, base + deep * std::sin(a));
+    EdgePoint n = clay_at(turned, rho_in, base + deep * std::sin(b), kHides, behind);
+    if (hollow) {
+      const float thick = std::max(glm::length(o.at - n.at), 0.5f);
+      const float rows = (LipStrip::kTall - 1) / static_cast<float>(LipStrip::kTall);
+      const float from = along(rho_out), to = along(rho_in);
+      if (thick < kNarrow * texel_) {
+        o.strip = {LipStrip::x(share), LipStrip::y(from), rows * (to - from) / thick};
+        n.strip = {LipStrip::x(share), LipStrip::y(to), -o.strip.z};
+      }
+      o.most_in = n.most_in = 0.5f * thick;
+      // At the left and right ends of the mouth there is little room inside.
+      n.most_out = 0.9f * std::abs(n.at.y - clay_at(0.5f * kPi, rho_in, height_).at.y);
+      // On the near side the mouth is behind the lip, on the far side the wall goes on below.
+      const bool is_near = cosine * away_ > hole;
+      const bool room = n.most_out > kCorner * texel_;
+      if (room && is_near) near_in.push_back(n);
+      if (room && !is_near && n.strip.x >= 0.0f) far_in.push_back(n);
+      if (!room || !is_near) end(near_in, false, false);
+      if (!room || is_near) end(far_in, false, true);
+    }
+    // Where the wall goes on below the lip is no outline.
+    const bool goes_on = rho_out >= wide - 1e-6f;
+    if (out.empty() && !goes_on && on_wall) out = {below(*on_wall), *on_wall};
+    if (!out.empty() || !goes_on) out.push_back(o);
+    if (!out.empty() && goes_on) out.push_back(below(o));
+    if (goes_on || i == steps) end(out, true, false);
+    if (goes_on) on_wall = o;
+    // Near the sides a texel reaches past the clay.
+    const bool facing = goes_on && cosine > 0.5f;
+    if (facing) hem.push_back(o);
+    if (!facing || i == steps) end(hem, true, true);
+  }
+  end(near_in, false, false);
+  end(far_in, false, true);
+}
+
+// Where the opening ends: the wall that is left, the floor, and the wall's section.
+void Tracer::section() {
+  constexpr int kSteps = 160;
+  std::vector<EdgePoint> near, far, floor;
+  for (int i = 0; i <= kSteps; ++i) {
+    const float share = static_cast<float>(i) / kSteps, y = shoulder_ * share;
+    near.push_back(clay_at(0.0f, outer(0.0f, y), y));
+    far.push_back(clay_at(-open_, outer(-open_, y), y));
+  }
+  for (const float share : {1.0f, 0.5f, 0.0f})
+    floor.push_back(clay_at(0.0f, share * outer(0.0f, 0.0f), 0.0f));
+  for (const float share : {0.5f, 1.0f})
+    floor.push_back(clay_at(-open_, share * outer(-open_, 0.0f), 0.0f));
+  outline(near);
+  outline(floor);
+  outline(far);
+}
+
+}  // namespace
+
+Ribbons outline_of(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip,
+                   float texel) {
+  return Tracer(clay, pot, clip, texel).trace();
+}
+
+}  // namespace onggi::render
