@@ -15,8 +15,8 @@ constexpr double kAlike = 0.025;
 constexpr double kOutlineAlike = 0.95;
 constexpr double kWallAlike = 0.85;
 constexpr double kWallUneven = 0.75, kAsEven = 0.01;
-/// A pot that is further out of round is told so, before what nobody sees of its shape. Share of the
-/// size.
+/// A pot that is further out of round is told so, before what nobody sees of its shape. Share of
+/// the size.
 constexpr double kTrue = 0.0005;
 constexpr std::size_t kMost = 3;
 /// A named part counts as the largest difference from this share of the worst place on.
