@@ -212,7 +212,14 @@ ToolPlace hold_tool(const ToolShape& shape, Vec3 at, Vec3 handle, double roll,
   const auto to_studio = [&](Vec3 v) {
     return (inside ? -v.x : v.x) * out + Vec3{0.0, v.y, 0.0} + v.z * turn;
   };
-  const Vec3 usual_along = unit(to_studio(shape.hold.along));
+  // A tool that leans would turn round as the hand crosses the axis. It stands upright there.
+  constexpr double kLeansFrom = 0.008;  // m off the axis
+  Vec3 leaning = shape.hold.along;
+  if (leaning.y > 0.0) {
+    const double t = std::min(away / kLeansFrom, 1.0);
+    leaning.x *= t * t * (3.0 - 2.0 * t);
+  }
+  const Vec3 usual_along = unit(to_studio(leaning));
   const Vec3 usual_across = to_studio(shape.hold.across);
   const double reach = length(handle);
   const Vec3 along = reach > 1e-9 ? (1.0 / reach) * handle : usual_along;

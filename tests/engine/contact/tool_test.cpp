@@ -79,6 +79,21 @@ TEST(Hold, IsByUnitDirectionsAtRightAnglesForEveryToolAndByDefault) {
 
 // Two springs in a row: pressed as far as a firm ball, it is felt for its softness, and the clay
 // gives way that much more slowly.
+// A fingertip leans outwards. On the axis there is no outwards, and it would turn round from one
+// side to the other: 2.3 N in a tick.
+TEST(Hold, OfATrembleOnTheAxisKeepsALeaningToolAsItIs) {
+  for (const char* name : {"fingertip", "needle"})
+    for (const bool inside : {false, true}) {
+      const ToolShape& tool = *find_tool_shape(name);
+      const auto along = [&](Vec3 at) { return hold_tool(tool, at, {}, 0.0, inside).along; };
+      for (double x = -0.012; x < 0.012; x += 2e-5)
+        EXPECT_LT(length(along({x + 2e-5, 0.1, 1e-6}) - along({x, 0.1, 1e-6})), 0.008) << name << x;
+      EXPECT_EQ(along({0.0, 0.1, 0.0}).y, 1.0);
+      EXPECT_NEAR(along({0.0081, 0.1, 0.0}).x,
+                  (inside ? -1.0 : 1.0) * (std::string(name) == "needle" ? 0.8 : 0.5), 1e-12);
+    }
+}
+
 TEST(Sponge, IsFeltSofterAndDentsTheClayMoreSlowlyThanAFirmBall) {
   const auto pressed = [](const char* name, Clay& clay) {
     ToolSweep sweep = sweep_sphere({0.0845, 0.1, 0.0}, {0.0845, 0.1, 0.0}, 0.03);
