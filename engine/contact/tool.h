@@ -105,8 +105,8 @@ ToolSize sized(const ToolShape& shape, const ToolSize& size) noexcept;
 
 /// A tool at `at` (studio frame) with its handle towards `handle`, turned about the handle by
 /// `roll` (rad). If `handle` is (0, 0, 0), the shape's usual grip is turned to the angle of `at`
-/// about the axis. `inside`: it works the inner face. A grip that leans stands up within 8 mm of the
-/// axis, so that it does not turn round there.
+/// about the axis. `inside`: it works the inner face. A grip that leans stands up within 8 mm of
+/// the axis, so that it does not turn round there.
 ToolPlace hold_tool(const ToolShape& shape, Vec3 at, Vec3 handle, double roll,
                     bool inside) noexcept;
 
