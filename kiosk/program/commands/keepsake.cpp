@@ -191,8 +191,9 @@ Result<int> remove(const KeepsakeArguments& arguments) {
   if (!one) return tl::unexpected(one.error());
   // What a word or a day happens to mean today is not enough to delete for good.
   constexpr std::size_t kWholeTime = 17;  // "2026-05-04_141503"
-  if (stamp_of(arguments.name).size() < kWholeTime &&
-      !kept->names.is_called(one->spoken, arguments.name))
+  const std::string stamp = stamp_of(arguments.name);
+  const bool by_time = stamp.size() >= kWholeTime && one->visit.starts_with(stamp);
+  if (!by_time && !kept->names.is_called(one->spoken, arguments.name))
     return problem(arguments.name, "This is not a whole name: " + kept->line(*one) + ".",
                    "Write all three words, or the date and time, to delete it.");
   if (auto gone = souvenir::remove_visit(kept->folder / one->visit); !gone)

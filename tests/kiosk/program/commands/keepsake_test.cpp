@@ -101,7 +101,8 @@ TEST_F(AtTheDesk, OnlyTheOneThatIsNamedIsDeleted) {
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_NE(both.err.find("2 keepsakes have this in their name"), std::string::npos) << both.err;
   EXPECT_TRUE(there("2026-05-04_141503_moon_jar"));
-  for (const char* part : {"q", "quiet", "'blue heron'", "2026-05-04_1415", "'2026-05-04 14:15'"}) {
+  for (const char* part : {"q", "quiet", "'blue heron'", "2026-05-04_1415", "'2026-05-04 14:15'",
+                           "'stiller blauer Reihe'"}) {
     const Outcome refused = desk("delete " + std::string(part));
     EXPECT_EQ(refused.exit_code, 2) << part;
     EXPECT_NE(refused.err.find("not a whole name"), std::string::npos) << refused.err;
