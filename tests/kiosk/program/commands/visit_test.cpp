@@ -104,6 +104,19 @@ TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
   }
 }
 
+// The script waited for ever, and the command with it.
+TEST(Visit, OnAWheelThatCannotTurnItEndsWithAWordOfTheWheel) {
+  const ScratchFolder folder;
+  const std::string file =
+      write_exhibit(folder, "first_touch", "[vessel_scenes]\nmoon_jar = \"still.toml\"\n");
+  std::ofstream(folder / "still.toml")
+      << "[clay]\nrows = 160\nsectors = 120\n[wheel]\nmax_speed = 0.0\n";
+  const Outcome run = onggi("visit --script follow --window 640x480 --vessel moon_jar --config " +
+                            file + " --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("max_speed"), std::string::npos) << run.err;
+}
+
 /// An exhibit with the missions that come with onggi, and a scene whose pots are soon thrown.
 std::string with_missions(const ScratchFolder& folder) {
   std::ofstream(folder / "coarse.toml") << "[clay]\nrows = 160\nsectors = 120\n[walls]\n";
