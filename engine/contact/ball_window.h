@@ -64,6 +64,10 @@ struct BallWindow {
 /// elements do not change the result of a press.
 void plan_rows(const Clay& clay, const BallWindow& window, WallSide side, int first, int count,
                BallWindows& rows) noexcept;
+/// dr/dy of the `side` face beside the ball, over half its radius above and below; 0 where it has
+/// no two rows. The face between two rays is a straight line, so that this does not jump as the
+/// ball goes round.
+double slope_beside(const Clay& clay, const BallWindow& window, WallSide side) noexcept;
 /// Finds the blocks of reached row `k`. Returns how many of `ranges` (1 or 2) are used.
 inline int blocks_of(RowShape row, const BallWindows& rows, int k, BlockRun* ranges) noexcept {
   const int turns = 2 * row.sectors;

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "engine/clay/lip.h"
+#include "engine/contact/ball_window.h"
+#include "engine/contact/kernels.h"
 #include "engine/math/portable.h"
 
 namespace onggi::contact {
@@ -92,6 +94,21 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
 
   const bool outside = side == WallSide::outside;
 
+  // Of a face that leans the way to it is shorter than the way along a ray.
+  const BallWindow window(clay, at, radius);
+  const auto square = [&](WallSide face) {
+    const double slope = slope_beside(clay, window, face);
+    return 1.0 / std::sqrt(1.0 + slope * slope);
+  };
+  const double square_outer = square(WallSide::outside);
+  const double square_inner = hollow ? square(WallSide::inside) : 1.0;
+
+  // Measured, because Clay::outer_most() stays wider than the row for some ticks after a press or
+  // an undo, and nodes would lie elsewhere.
+  const auto extent = [&, of = kernels(clay.vectors()).extent](WallSide face, const auto& row) {
+    return of(face, clay.stride(), row.data());
+  };
+
   constexpr int kParts = 2;
   for (int part = 0; part < kParts; ++part)
     for (const Node& node : kLevels) {
@@ -105,12 +122,14 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
       // The part of the circle that may lie in clay, on both sides of the direction to the middle.
       // The face that counts as farther away does so here, too, and the other does not: else nodes
       // are spent where no clay is, and missing where some is.
-      const double most = (outside ? 0.0 : kept) + double{std::max(clay.outer_most(level.below),
-                                                                   clay.outer_most(level.above))};
-      const double hole =
-          double{std::min(clay.inner_least(level.below), clay.inner_least(level.above))};
-      const double least =
-          !hollow || (outside && kept >= radius) ? 0.0 : hole - (outside ? kept : 0.0);
+      const double most =
+          (outside ? 0.0 : kept) + double{std::max(extent(WallSide::outside, outers[0]),
+                                                   extent(WallSide::outside, outers[1]))};
+      double least = 0.0;
+      if (hollow && !(outside && kept >= radius))
+        least = double{std::min(extent(WallSide::inside, inners[0]),
+                                extent(WallSide::inside, inners[1]))} -
+                (outside ? kept : 0.0);
       const double sum = d * d + section * section, twice = std::max(2.0 * d * section, 1e-12);
       const double begin = arc_cosine((most * most - sum) / twice);
       const double end = least > 0.0 ? arc_cosine((least * least - sum) / twice) : portable::kPi;
@@ -135,8 +154,8 @@ EdgePush push_at_edge(const Clay& clay, WallSide side, Vec3 at, double radius, d
           };
           const double outer = face(outers);
           const double inner = hollow ? face(inners) : 0.0;
-          const double from_outer = outer - rho;
-          const double from_inner = hollow ? rho - inner : kFar;
+          const double from_outer = square_outer * (outer - rho);
+          const double from_inner = hollow ? square_inner * (rho - inner) : kFar;
           const double to_top = top - y - lip_drop(inner, outer, std::min(rho, outer));
           const double to_face =
               std::min(from_outer + (outside ? 0.0 : kept), from_inner + (outside ? kept : 0.0));

@@ -38,6 +38,7 @@ class Plan {
   int first_row() const { return window_.first_row; }
   int end_row() const { return window_.end_row; }
   BodyFigures<Body> figures() const { return {}; }
+  void find_lean() const {}
   std::uint32_t careful() const { return ~0u; }
 
   // Bit k: row first + k has something to touch.
@@ -103,21 +104,22 @@ class Plan<Ball> {
       : clay_(clay),
         shape_(clay),
         side_(side),
-        ball_(ball),
         window_(clay, ball.middle, ball.radius),
         far_half_(side == WallSide::outside &&
-                  reaches_far_half(clay.sectors(), ball.radius / window_.distance)) {}
+                  reaches_far_half(clay.sectors(), ball.radius / window_.distance)),
+        figures_{static_cast<float>(ball.middle.x),
+                 static_cast<float>(ball.middle.z),
+                 static_cast<float>(1.0 / ball.radius),
+                 static_cast<float>(ball.middle.x / ball.radius),
+                 static_cast<float>(ball.middle.z / ball.radius),
+                 1.0f,
+                 0.0f,
+                 static_cast<float>(contact::kLeastFacing * ball.radius),
+                 &rows_} {}
 
   int first_row() const { return window_.first_row; }
   int end_row() const { return window_.end_row; }
-  BodyFigures<Ball> figures() const {
-    return {static_cast<float>(ball_.middle.x),
-            static_cast<float>(ball_.middle.z),
-            static_cast<float>(1.0 / ball_.radius),
-            static_cast<float>(ball_.middle.x / ball_.radius),
-            static_cast<float>(ball_.middle.z / ball_.radius),
-            &rows_};
-  }
+  const BodyFigures<Ball>& figures() const { return figures_; }
 
   std::uint32_t careful() const { return far_half_ ? ~0u : rows_.careful; }
 
@@ -125,15 +127,26 @@ class Plan<Ball> {
     plan_rows(clay_, window_, side_, first, count, rows_);
     return rows_.reached;
   }
+  // How the face leans beside the ball, for what is felt of it.
+  void find_lean() {
+    if (lean_known_) return;
+    lean_known_ = true;
+    const double slope = slope_beside(clay_, window_, side_);
+    const double squareness = 1.0 / (1.0 + slope * slope);
+    const double slant = squareness * slope * window_.radius;
+    figures_.squareness = static_cast<float>(squareness);
+    figures_.slant = static_cast<float>(side_ == WallSide::outside ? slant : -slant);
+  }
   void fill(int k, BodyRow<Ball>& row) const { row.used = blocks_of(shape_, rows_, k, row.ranges); }
 
  private:
   const Clay& clay_;
   contact::RowShape shape_;
   WallSide side_;
-  const Ball& ball_;
   contact::BallWindow window_;
   bool far_half_;
+  bool lean_known_ = false;
+  BodyFigures<Ball> figures_;
   contact::BallWindows rows_;
 };
 
@@ -288,7 +301,7 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
 
   Plan<Body> plan(clay, side, body, at);
   Pressing<Body> pressing(clay, side, yielding);
-  const BodyFigures<Body> figures = plan.figures();
+  const BodyFigures<Body>& figures = plan.figures();
   contact::PressSums sums;
   contact::PressTotal total;
   Press out;
@@ -298,6 +311,7 @@ Press press(Clay& clay, WallSide side, const Body& body, Vec3 at, double seconds
     const int count = std::min(kPlannedRows, end_row - first);
     const bool last = first + count == end_row;
     const std::uint32_t reached = plan.find(first, count);
+    if (reached != 0) plan.find_lean();
     const auto [firm, rigid] = pressing.held(first, reached);
     const contact::RowPlaces places = places_of(clay, side, first, weight, plan.careful());
     const auto some = [&](std::uint32_t which, const contact::StepFigures& how, bool closing) {

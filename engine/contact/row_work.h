@@ -14,6 +14,10 @@ namespace onggi::contact {
 /// Rows planned and pressed together.
 inline constexpr int kPlannedRows = 32;
 
+/// Ends of a body that is sunk deeper than its radius face the ray by less, and are felt as if they
+/// faced it so far: n . ray.
+inline constexpr float kLeastFacing = 0.25f;
+
 /// Figures for all elements of a step.
 struct StepFigures {
   const float* ray_cos = nullptr;
@@ -101,6 +105,9 @@ struct BodyFigures<body::Ball> {
   float x, z;               ///< Its middle, m.
   float per_radius;         ///< 1 / m
   float x_radii, z_radii;   ///< Its middle, from the axis, over its radius.
+  float squareness;         ///< 1 / (1 + slope^2) of the worked face beside it.
+  float slant;              ///< squareness slope radius, m; negative from inside.
+  float least_chord;        ///< Half of a chord counts as this long at least, m.
   const BallWindows* rows;  ///< By RowTask::k.
 };
 

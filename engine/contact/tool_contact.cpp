@@ -253,32 +253,33 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
   const ToolPlace place = place_at(sweep, middle, c, s);
   const body::Ball lowest = sweep.shape->within(place, sweep.size, kDown);
 
-  if (!touching_) {
-    if (!choose_place(clay, place, lowest, sweep)) return;
-  } else {
-    change_place(clay, lowest);
-  }
+  // Of a wall that leans the edge may be felt beside the last element that is pressed.
+  const bool near = touching_ || choose_place(clay, place, lowest, sweep);
+  if (touching_) change_place(clay, lowest);
+  // Over the edge and near it, one law gives a round tool's force, whichever part moves the clay.
+  // A solid lump's top is a floor in its middle.
+  const double above = clay.rim_height() - place.at.y;
+  const bool hollow = clay.floor_rows() < clay.rows();
+  const bool at_edge = sweep.shape->round() && above < 2.5 * lowest.radius + kLipRadius &&
+                       (hollow || on_rim_ || side_ == WallSide::outside);
+  contact::EdgePush edge;
+  if (at_edge)
+    edge = contact::push_at_edge(clay, hollow ? side_ : WallSide::outside, place.at, lowest.radius,
+                                 clay.rim_height(), hollow);
+  if (!near && edge.top_normal + edge.face_normal <= 0.0) return;
 
   Press press;
   contact::FacePush off_face;
   on_floor_ = false;
   const double seconds = sweep.seconds / of;
-  // Over the edge and near it, one law gives a round tool's force, whichever part moves the clay.
-  const double above = clay.rim_height() - place.at.y;
-  const bool at_edge = sweep.shape->round() && above < 2.5 * lowest.radius + kLipRadius;
-  const bool hollow = clay.floor_rows() < clay.rows();
-  contact::EdgePush edge;
-  if (at_edge)
-    edge = contact::push_at_edge(clay, hollow ? side_ : WallSide::outside, place.at, lowest.radius,
-                                 clay.rim_height(), hollow);
   if (on_rim_) {
     press = press_rim(clay, ball_step(sweep, n, of), yielding);
     face_depth_ = std::max(face_depth_, press.depth);
-    off_face = at_edge && press.touched > 0 ? feel_edge(edge, 1.0, seconds, yielding, press)
-                                            : contact::FacePush{press.force, press.normal};
+    off_face = at_edge ? feel_edge(edge, 1.0, seconds, yielding, press)
+                       : contact::FacePush{press.force, press.normal};
   } else {
     press = sweep.shape->press(clay, side_, place, sweep.size, seconds, yielding);
-    if (at_edge && press.touched > 0)
+    if (at_edge)
       off_face =
           feel_edge(edge, edge_share(above, lowest.radius, press.depth), seconds, yielding, press);
     if (sweep.shape->round() && press.touched > 0) {
@@ -308,6 +309,7 @@ void ToolContact::step(Clay& clay, const ToolSweep& sweep, int n, int of,
       off_face.normal += floor.normal;
     }
   }
+  if (press.normal > 0.0) press.touched = std::max<std::int64_t>(press.touched, 1);
   touching_ = press.touched > 0;
   const double share = 1.0 / of;
   sum_.force += share * turned(press.force, c, s);

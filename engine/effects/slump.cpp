@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kGravity = 9.81;
 constexpr double kRoot3 = 1.7320508075688772;
-// Largest stress in a turning disc of clay that keeps its volume (Poisson's ratio 1/2): (3 + 1/2) /
-// 8 of density (omega R)^2, in the middle, equal in all directions (Timoshenko & Goodier, Theory of
-// Elasticity, article 32).
-constexpr double kDisc = 0.4375;
 constexpr double kSweep = 0.025;       // s: one down, one up, 20 times a second
 constexpr double kMostStrain = 0.1;    // per sweep: a fall takes a few sweeps
 constexpr double kStands = 1e-6;       // share: a row overloaded by less counts as standing
@@ -29,15 +25,19 @@ double seconds_up(const Clay& clay) {
   return effects::Round::lasting(kSweep, 1.0 * clay.rows() * clay.stride());
 }
 
-// Mean radius of the wall's middle, from eight places round the row.
-double middle_of(const Clay& clay, int j) {
+// Of a turning row, the mean pull across a cut through the axis, over density omega^2, m^2: what
+// holds its halves together, whatever the clay's law. (Ro^2 + Ro Ri + Ri^2) / 3, from eight places
+// round the row.
+double pull_of(const Clay& clay, int j) {
   constexpr int kPlaces = 8;
+  if (j < clay.floor_rows()) return clay.areas()->of(j) / (3.0 * portable::kPi);
   double sum = 0.0;
   for (int k = 0; k < kPlaces; ++k) {
     const auto i = static_cast<std::size_t>(k * clay.sectors() / kPlaces);
-    sum += double{clay.outer(j)[i] + clay.inner(j)[i]};
+    const double outer = double{clay.outer(j)[i]}, inner = double{clay.inner(j)[i]};
+    sum += outer * outer + outer * inner + inner * inner;
   }
-  return 0.5 * sum / kPlaces;
+  return sum / (3.0 * kPlaces);
 }
 
 // log(1 + x), x >= 0, without cancellation: four terms of its series, relative error 1e-14.
@@ -66,9 +66,7 @@ Slump::Ring Slump::flow_alone(const SlumpDef& def, const Clay& clay, const Volum
   const double load = def.density * kGravity * (above_ + 0.5 * volume.of_row(j));
   const double weight = load / area;
   const bool solid = j < clay.floor_rows();
-  const double middle = solid ? 0.0 : middle_of(clay, j);
-  const double squared = solid ? kDisc * area / portable::kPi : middle * middle;
-  const double hoop = def.density * around.wheel_speed * around.wheel_speed * squared;
+  const double hoop = def.density * around.wheel_speed * around.wheel_speed * pull_of(clay, j);
   const double weak = around.moisture != nullptr
                           ? strength(*around.moisture_def, around.moisture->of_row(clay.stored(j)))
                           : 1.0;

@@ -252,7 +252,7 @@ constexpr Witness kClay[] = {
     {"trimmed rim", "what is gone is the ring's area times how far the rim sank",
      "the tool: a finger", 2e-3, "", trimmed_rim},
     {"a stroke that is taken back", "the fresh lump", "clay.outer_radius", 1e-9, "m", taken_back},
-    {"turned by a quarter", "both hands' pushes and the outline, turned", "contact.stiffness", 1e-8,
+    {"turned by a quarter", "both hands' pushes and the outline, turned", "contact.stiffness", 1e-7,
      "", turned_by_a_quarter},
     {"in a mirror, wheel reversed", "both hands' pushes and the outline, mirrored",
      "contact.stiffness", 1e-10, "", in_a_mirror},

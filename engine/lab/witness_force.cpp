@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "engine/lab/witness.h"
@@ -188,13 +189,17 @@ double given_round(const std::vector<Vec3>& path, Push&& push) {
 }
 
 // From corner `stiff` on the clay is stiffer.
-double round_still_clay(const std::vector<Vec3>& path, std::size_t stiff, double by) {
-  FrozenClay clay(lone_wall(400, 360, 0.035, 0.055).clay, kTipRadius, 5e6);
+double round_frozen(FrozenClay clay, const std::vector<Vec3>& path, std::size_t stiff, double by) {
   bool stiffened = false;
   return given_round(path, [&](Vec3 at, std::size_t corner) {
     if (corner >= stiff && !stiffened) clay.stiffen(by), stiffened = true;
     return clay.push(at);
   });
+}
+
+double round_still_clay(const std::vector<Vec3>& path, std::size_t stiff, double by) {
+  const Clay wall = std::move(*Clay::create(lone_wall(400, 360, 0.035, 0.055).clay));
+  return round_frozen({wall, kTipRadius, 5e6}, path, stiff, by);
 }
 
 double round_the_rim(double by) {
@@ -215,6 +220,26 @@ double round_the_foot(double by) {
   return round_still_clay(
       {{kClearOut, 0.02, 0}, {kDeepIn, 0.02, 0}, {kDeepIn, 0.001, 0}, {kClearOut, 0.001, 0}}, 2,
       by);
+}
+
+// A cone whose radius grows by 0.3 of its height, 3 mm deep all the way.
+double up_a_wall_that_leans(double by) {
+  constexpr double kSlope = 0.3;
+  Clay wall = std::move(*Clay::create(lone_wall(400, 360, 0.035, 0.055).clay));
+  for (int j = 0; j < wall.rows(); ++j) {
+    const auto out = static_cast<float>(0.08 + kSlope * (wall.row_height(j) - 0.1));
+    std::ranges::fill(wall.outer_mut(j), out);
+    std::ranges::fill(wall.inner_mut(j), out - 0.02f);
+    wall.set_extent(j, out, out - 0.02f);
+  }
+  const double square = std::sqrt(1.0 + kSlope * kSlope);
+  const auto beside = [&](double y, double clear) {
+    return Vec3{0.08 + kSlope * (y - 0.1) + clear / square, y - kSlope * clear / square, 0.0};
+  };
+  const double clear = kTipRadius + 0.002, deep = kTipRadius - 0.003;
+  return round_frozen(
+      {wall, kTipRadius, 5e6},
+      {beside(0.09, clear), beside(0.09, deep), beside(0.12, deep), beside(0.12, clear)}, 2, by);
 }
 
 // The same of hand 0 in a scene, from outside.
@@ -295,6 +320,9 @@ constexpr Witness kForce[] = {
     {"round a path across the wall's foot",
      "a closed path gives no work, as a share of what the clay held", kOnTheWay, 0.02, "",
      round_the_foot},
+    {"round a path up a wall that leans",
+     "a closed path gives no work, as a share of what the clay held", kOnTheWay, 0.02, "",
+     up_a_wall_that_leans},
     {"round a path along the wall, a fingertip",
      "a closed path gives no work, as a share of what the clay held", kOnTheWay, 0.02, "",
      a_fingertip_along_the_wall},

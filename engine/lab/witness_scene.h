@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "engine/contact/tool_contact.h"
 #include "engine/scene/scene.h"
 
@@ -42,6 +44,8 @@ class FrozenClay {
  public:
   /// `def` is good. Allocates.
   FrozenClay(const ClayDef& def, double radius, double stiffness);
+  FrozenClay(Clay clay, double radius, double stiffness)
+      : clay_(std::move(clay)), radius_(radius), stiffness_(stiffness) {}
   /// N. No allocation.
   Vec3 push(Vec3 at);
   /// From now on it is stiffer by this share.

@@ -182,11 +182,24 @@ double soaked_under_its_weight(double by) {
   return share_apart(yields_from(def, should, hands, 1.5), should);
 }
 
+// Of clay that turns, over density omega^2: the pull of half of it, summed up ring by ring, over
+// the cut that bears it.
+double pull_across(double inner, double outer) {
+  constexpr int kRings = 1000;
+  const double wide = (outer - inner) / kRings;
+  double sum = 0.0;
+  for (int n = 0; n < kRings; ++n) {
+    const double r = inner + (n + 0.5) * wide;
+    sum += r * r * wide;
+  }
+  return sum / (outer - inner);
+}
+
 double spun_ring(double by) {
   SceneDef def = slumping(tube(20, 0.05, 0.045, 0.055));
   Hands hands;
   hands.wheel_speed = 20.0;
-  const double hoop = def.slump->density * 20.0 * 20.0 * 0.05 * 0.05;
+  const double hoop = def.slump->density * 20.0 * 20.0 * pull_across(0.045, 0.055);
   const double should = (hoop + weight_on_the_foot(def)) / std::sqrt(3.0);
   def.slump->density *= 1.0 + by;
   return share_apart(yields_from(def, should, hands, 0.5), should);
@@ -197,8 +210,8 @@ double spun_lump(double by) {
   def.clay.floor_thickness = def.clay.height;
   Hands hands;
   hands.wheel_speed = 20.0;
-  const double middle = 0.4375 * def.slump->density * 20.0 * 20.0 * 0.055 * 0.055;
-  const double should = (middle + weight_on_the_foot(def)) / std::sqrt(3.0);
+  const double pull = def.slump->density * 20.0 * 20.0 * pull_across(0.0, 0.055);
+  const double should = (pull + weight_on_the_foot(def)) / std::sqrt(3.0);
   def.slump->density *= 1.0 + by;
   return share_apart(yields_from(def, should, hands, 0.5), should);
 }
@@ -223,7 +236,9 @@ double spun_wider(double by) {
   };
   const auto rate = [&](Grown g) {
     const double middle = 0.05 * portable::exp(g.girth);
-    const double hoop = law.density * wheel * wheel * middle * middle;
+    const double thick = 0.01 * portable::exp(g.area - g.girth);
+    const double hoop =
+        law.density * wheel * wheel * pull_across(middle - 0.5 * thick, middle + 0.5 * thick);
     const double weight = law.density * kGravity * above * portable::exp(-g.area);
     const double flow =
         std::max(hoop + weight - std::sqrt(3.0) * law.yield_stress, 0.0) / (3.0 * law.viscosity);
@@ -292,10 +307,11 @@ constexpr Witness kWalls[] = {
      under_its_weight},
     {"where a soaked tube yields", "rho g (H - dh/2) = sqrt3 tau_y weakening^w, to 0.01 of w",
      "moisture.weakening", 0.025, "", soaked_under_its_weight},
-    {"where a ring that spins yields", "rho g (H - dh/2) + rho (omega R)^2 = sqrt3 tau_y",
-     "slump.density", 1e-5, "", spun_ring},
-    {"where a lump that spins yields", "rho g (H - dh/2) + 0.4375 rho (omega R)^2 = sqrt3 tau_y",
-     "slump.density", 1e-5, "", spun_lump},
+    {"where a ring that spins yields",
+     "rho g (H - dh/2) + the mean pull across a cut = sqrt3 tau_y", "slump.density", 1e-5, "",
+     spun_ring},
+    {"where a lump that spins yields", "the same, without a hole", "slump.density", 1e-5, "",
+     spun_lump},
     {"a ring that spins, wider and lower", "Levy and Mises, solved by hand", "slump.viscosity",
      0.01, "", spun_wider},
     {"how a tube sags", "Bingham's law of each height, in closed form", "slump.yield_stress", 2e-3,

