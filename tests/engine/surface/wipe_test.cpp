@@ -1,0 +1,71 @@
+#include "engine/surface/wipe.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/surface/decorated_pots.h"
+
+namespace onggi::surface_test {
+namespace {
+
+Surface glazed(double seconds = 1.0) {
+  Surface surface = made(jar());
+  DipDef dip = whole_dip();
+  dip.seconds = seconds;
+  done(surface, dip);
+  return surface;
+}
+
+TEST(Wipe, LosesNoGlaze) {
+  for (const double pressure : {1.0, 0.3}) {
+    Surface surface = glazed();
+    const Volume before = surface.glaze_volume();
+    done(surface, WipeDef{}, straight(surface, {0.05, 0.0, pressure}, {0.11, 0.1, pressure}));
+    done(surface, WipeDef{}, straight(surface, {0.10, 0.1, pressure}, {0.05, -0.1, pressure}));
+    EXPECT_EQ(surface.glaze_volume(), before);
+    expect_whole(surface);
+  }
+}
+
+TEST(Wipe, LeavesAFilmAndTwoRidges) {
+  Surface surface = glazed();
+  done(surface, WipeDef{}, straight(surface, {0.05, 0.0}, {0.11, 0.0}));
+  const int j = 320;  // 80 mm
+  const int cells = static_cast<int>(0.006 / (surface.row(j).width * 1e-9));
+  for (int i = -cells + 1; i < cells - 1; ++i) ASSERT_EQ(surface.glaze(j, wrapped(i)), 5) << i;
+  for (const int side : {-1, 1}) {
+    // 100 units were there; a ridge is 75 more.
+    EXPECT_NEAR(surface.glaze(j, wrapped(side * (cells + 4))), 175, 2) << side;
+    EXPECT_EQ(surface.glaze(j, wrapped(side * (cells + 140))), 100) << side;
+  }
+}
+
+TEST(Wipe, AtAnEndOfThePotTheGlazeStaysOnIt) {
+  Surface surface = glazed();
+  const Volume before = surface.glaze_volume();
+  done(surface, WipeDef{}, band(surface, 0.0));
+  done(surface, WipeDef{}, band(surface, surface.rows() * kRowHeight * 1e-6));
+  EXPECT_EQ(surface.glaze_volume(), before);
+}
+
+TEST(Wipe, ThickGlazeAndANarrowRidgeStillLoseNothing) {
+  Surface surface = glazed(60.0);
+  const Volume before = surface.glaze_volume();
+  WipeDef def;
+  def.width = 0.03, def.ridge = 5e-5;
+  for (int n = 0; n < 3; ++n) done(surface, def, straight(surface, {0.05, 0.0}, {0.08, 0.02}));
+  EXPECT_EQ(surface.glaze_volume(), before);
+}
+
+TEST(Wipe, DryGlazeStays) {
+  Surface surface = glazed();
+  const std::uint64_t hash = surface.hash();
+  WipeDef def;
+  done(surface, def, straight(surface, {0.05, 0.0, 1.0, def.wet_time}, {0.08, 0.0, 1.0, 99.0}));
+  EXPECT_EQ(surface.hash(), hash);
+  // Half dry, it leaves half.
+  done(surface, def, straight(surface, {0.05, 0.0, 1.0, 30.0}, {0.08, 0.0, 1.0, 30.0}));
+  EXPECT_NEAR(surface.glaze(260, 0), 100 - 95 / 2, 2);
+}
+
+}  // namespace
+}  // namespace onggi::surface_test
