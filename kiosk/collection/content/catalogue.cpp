@@ -11,6 +11,7 @@
 #include "kiosk/collection/content/mesh_file.h"
 #include "kiosk/collection/content/pack.h"
 #include "kiosk/collection/content/scan_document.h"
+#include "kiosk/collection/decoration/decoration.h"
 
 namespace onggi::content {
 
@@ -180,6 +181,13 @@ void check_pack(const fs::path& folder, const LoadOptions& options,
     check.files.push_back(folder / read.pack.drawing);
     check.keys_checked += drawing.keys_checked;
     check.problems.insert(check.problems.end(), drawing.problems.begin(), drawing.problems.end());
+  }
+  if (!read.pack.decoration.empty()) {
+    const auto decoration = decoration::check_decoration(folder / read.pack.decoration);
+    check.files.push_back(folder / read.pack.decoration);
+    check.keys_checked += decoration.keys_checked;
+    check.problems.insert(check.problems.end(), decoration.problems.begin(),
+                          decoration.problems.end());
   }
   if (!read.problems.empty()) return;  // load_vessel would repeat the first of them
   const auto vessel = load_vessel(folder, options);

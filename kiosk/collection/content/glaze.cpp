@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/collection/settings/color_in.h"
 #include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
 #include "kiosk/collection/settings/visitor_text.h"
-#include "kiosk/collection/textures/srgb.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -14,31 +14,6 @@ namespace onggi::content {
 namespace {
 
 using Table = toml::TomlReader::Table;
-
-/// "#9DB5A0" as linear light.
-bool parse_color(const std::string& text, LinearColor& out) {
-  if (text.size() != 7 || text[0] != '#') return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    unsigned value = 0;
-    for (const char c : text.substr(1 + 2 * k, 2)) {
-      const bool digit = c >= '0' && c <= '9';
-      const char lower = static_cast<char>(c | 0x20);
-      if (!digit && (lower < 'a' || lower > 'f')) return false;
-      value = value * 16 + static_cast<unsigned>(digit ? c - '0' : lower - 'a' + 10);
-    }
-    out[k] = static_cast<float>(textures::light_of_srgb(value / 255.0));
-  }
-  return true;
-}
-
-bool read_color(Table& table, const std::string& key, LinearColor& out) {
-  std::string text;
-  if (!table.text(key, text)) return false;
-  if (parse_color(text, out)) return true;
-  table.complain(key, "\"" + text + "\" is not a valid colour.",
-                 "Write # and six digits or letters a to f, as in \"#9DB5A0\".");
-  return false;
-}
 
 void read_share(Table& table, const std::string& key, double most, float& out) {
   double value = static_cast<double>(out);
@@ -81,15 +56,16 @@ bool read_glaze(Table& table, const std::vector<std::string>& languages,
   GlazeLook& look = glaze.look;
   for (const char* key : {"body", "glass"})
     table.require(key, std::string("Write a colour: ") + key + " = \"#9DB5A0\".");
-  good = read_color(table, "body", look.body) && good;
-  good = read_color(table, "glass", look.glass) && good;
+  good = settings::read_color(table, "body", look.body) && good;
+  good = settings::read_color(table, "glass", look.glass) && good;
   // Slip and band exist if their colour is written.
-  if (!read_color(table, "slip", look.slip)) look.slip_cover = 0.0f;
+  if (!settings::read_color(table, "slip", look.slip)) look.slip_cover = 0.0f;
   read_share(table, "slip_cover", 1.0, look.slip_cover);
   read_share(table, "brushed", 1.0, look.brushed);
   read_share(table, "pooling", 1.0, look.pooling);
   read_share(table, "gloss", 1.0, look.gloss);
-  if (read_color(table, "band", look.band)) look.band_height = 0.8f, look.band_width = 0.02f;
+  if (settings::read_color(table, "band", look.band))
+    look.band_height = 0.8f, look.band_width = 0.02f;
   read_share(table, "band_height", 1.0, look.band_height);
   read_share(table, "band_width", 0.2, look.band_width);
   table.finish();

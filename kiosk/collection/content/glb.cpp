@@ -13,21 +13,22 @@ namespace {
 
 // glTF 2.0 specification, 4.4 (GLB) and 5.1 (component types).
 constexpr int kUnsignedShort = 5123, kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962,
-              kElementBuffer = 34963;
+              kElementBuffer = 34963, kRepeat = 10497, kClamp = 33071;
 
 using files::Json;
 
-Json json_of(const GlbMaterial& material) {
+Json json_of(const GlbMaterial& material, bool picture) {
   // Four digits are finer than the eye, and they are the same on every machine.
   const auto digits = [](float v) { return std::round(static_cast<double>(v) * 1e4) / 1e4; };
-  return Json::object(
-      {{"name", material.name},
-       {"pbrMetallicRoughness",
-        Json::object(
-            {{"baseColorFactor", Json::list({digits(material.color[0]), digits(material.color[1]),
-                                             digits(material.color[2]), 1.0})},
-             {"metallicFactor", 0.0},
-             {"roughnessFactor", digits(material.roughness)}})}});
+  Json surface = Json::object({});
+  if (picture)
+    surface["baseColorTexture"] = Json::object({{"index", 0}});
+  else
+    surface["baseColorFactor"] = Json::list(
+        {digits(material.color[0]), digits(material.color[1]), digits(material.color[2]), 1.0});
+  surface["metallicFactor"] = 0.0;
+  surface["roughnessFactor"] = digits(material.roughness);
+  return Json::object({{"name", material.name}, {"pbrMetallicRoughness", surface}});
 }
 
 }  // namespace
@@ -39,9 +40,15 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
 }
 
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
+                                 const std::string& copyright, const GlbMaterial& material,
+                                 const GlbPicture& picture) {
+  return write_glb(mesh, title, copyright, std::vector<GlbPart>{{0, material}}, {}, 4, picture);
+}
+
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const std::vector<GlbPart>& parts,
                                  const std::vector<std::array<float, 3>>& colors,
-                                 std::size_t index_bytes) {
+                                 std::size_t index_bytes, const GlbPicture& picture) {
   // The greatest index of two bytes means something else (glTF 2.0, 3.7.2.1).
   const bool brief = index_bytes == 2 && mesh.positions.size() <= 65535;
   const bool normals = mesh.normals.size() == mesh.positions.size() && !mesh.normals.empty();
@@ -84,6 +91,16 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     view(from, kArrayBuffer);
   }
 
+  if (!picture.file.empty()) {
+    from = bin.size();
+    for (const auto& place : picture.places) bin.f32s(place);
+    view(from, kArrayBuffer);
+    from = bin.size();
+    bin.append(picture.file);
+    views.push_back(
+        Json::object({{"buffer", 0}, {"byteOffset", from}, {"byteLength", picture.file.size()}}));
+  }
+
   Json accessors = Json::list({Json::object({{"bufferView", 0},
                                              {"componentType", kFloat},
                                              {"count", mesh.positions.size()},
@@ -121,6 +138,11 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     attributes["COLOR_0"] = normals ? 3 : 2;
   }
 
+  const bool pictured = !picture.file.empty();
+  const std::size_t places = (normals ? 3u : 2u) + (colors.empty() ? 0u : 1u);  // their view
+  // Their accessor comes after all others.
+  if (pictured) attributes["TEXCOORD_0"] = places + parts.size() - 1;
+
   Json asset = Json::object({{"version", "2.0"}, {"generator", "Onggi"}});
   if (!copyright.empty()) asset["copyright"] = copyright;
   Json materials = Json::list(), primitives = Json::list();
@@ -131,9 +153,14 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     primitives.push_back(Json::object({{"attributes", attributes},
                                        {"indices", part == 0 ? first : later + part},
                                        {"material", part}}));
-    materials.push_back(json_of(parts[part].material));
+    materials.push_back(json_of(parts[part].material, pictured));
   }
-  const Json document = Json::object(
+  if (pictured)
+    accessors.push_back(Json::object({{"bufferView", places},
+                                      {"componentType", kFloat},
+                                      {"count", picture.places.size()},
+                                      {"type", "VEC2"}}));
+  Json document = Json::object(
       {{"asset", asset},
        {"scene", 0},
        {"scenes", Json::list({Json::object({{"name", title}, {"nodes", Json::list({0})}})})},
@@ -143,6 +170,13 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
        {"accessors", accessors},
        {"bufferViews", views},
        {"buffers", Json::list({Json::object({{"byteLength", bin.size()}})})}});
+  if (pictured) {
+    const bool jpeg = picture.file.front() == std::byte{0xFF};
+    document["images"] = Json::list({Json::object(
+        {{"bufferView", places + 1}, {"mimeType", jpeg ? "image/jpeg" : "image/png"}})});
+    document["samplers"] = Json::list({Json::object({{"wrapS", kRepeat}, {"wrapT", kClamp}})});
+    document["textures"] = Json::list({Json::object({{"sampler", 0}, {"source", 0}})});
+  }
 
   files::ByteWriter json;
   // Repair text that is not UTF-8 instead of refusing it: the pot matters more than its name.

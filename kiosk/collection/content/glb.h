@@ -26,17 +26,28 @@ struct GlbPart {
   GlbMaterial material;
 };
 
+/// A PNG or JPEG that colours the surface, and where each position lies in it: 0..1 from its left
+/// and from its top. It goes round from left to right, and ends above and below.
+struct GlbPicture {
+  std::vector<std::array<float, 2>> places;
+  std::vector<std::byte> file;
+};
+
 /// A GLB of one mesh with one material; `title` and `copyright` go into the asset. `colors` is
 /// empty or has one colour a position, linear, 0..1, written as COLOR_0. The bytes are
 /// deterministic.
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const GlbMaterial& material = {},
                                  const std::vector<std::array<float, 3>>& colors = {});
+/// The same with a picture, whose colours replace the material's.
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
+                                 const std::string& copyright, const GlbMaterial& material,
+                                 const GlbPicture& picture);
 /// The same with one material for each of `parts`; the first part begins at 0. Indices have
 /// `index_bytes`, 2 or 4; they have 4 where 2 cannot name every position.
 std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& title,
                                  const std::string& copyright, const std::vector<GlbPart>& parts,
                                  const std::vector<std::array<float, 3>>& colors = {},
-                                 std::size_t index_bytes = 4);
+                                 std::size_t index_bytes = 4, const GlbPicture& picture = {});
 
 }  // namespace onggi::content

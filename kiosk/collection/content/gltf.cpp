@@ -9,6 +9,7 @@
 #include "kiosk/collection/content/gltf_accessor.h"
 #include "kiosk/collection/content/gltf_coloring.h"
 #include "kiosk/collection/content/gltf_draco.h"
+#include "kiosk/collection/content/vessel_file.h"
 
 namespace onggi::content {
 
@@ -282,8 +283,12 @@ Result<void> Gatherer::add_primitive(const tinygltf::Primitive& primitive,
   corners_ += data.indices.size();
   if (count + out_.mesh.positions.size() > static_cast<std::size_t>(limits_.vertices) ||
       corners_ / 3 > static_cast<std::size_t>(limits_.triangles))
-    return problem(where, "the file has more vertices than a vessel needs.",
-                   "Export it with fewer triangles: 100,000 show every throwing line.");
+    return tl::unexpected(
+        beyond_limit(where, "the file has more vertices or triangles",
+                     std::to_string(limits_.vertices) + " vertices and " +
+                         std::to_string(limits_.triangles) + " triangles",
+                     "vertices or triangles",
+                     "Export it with fewer triangles (100,000 show every throwing line)"));
   for (const std::uint32_t i : data.indices)
     if (i >= count)
       return unsound(where, "a triangle names vertex " + std::to_string(i) + " of " +

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <limits>
 
+#include "kiosk/collection/content/vessel_file.h"
+
 namespace onggi::content {
 
 namespace {
@@ -138,8 +140,9 @@ Result<void> each_element(GltfReader& reader, const tinygltf::Model& model, int 
 }
 
 /// Checks an accessor before any of its bytes are read.
+/// `key`: of the limit `most`.
 Result<void> check(const tinygltf::Model& model, int index, int type, std::size_t most,
-                   const std::string& here) {
+                   const char* key, const std::string& here) {
   if (index < 0 || static_cast<std::size_t>(index) >= model.accessors.size())
     return unsound(here, "there is no such accessor.");
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
@@ -149,8 +152,9 @@ Result<void> check(const tinygltf::Model& model, int index, int type, std::size_
                              : std::string("it does not hold vectors of ") +
                                    (type == TINYGLTF_TYPE_VEC2 ? "two." : "three."));
   if (accessor.count > most)
-    return unsound(here, "it claims " + std::to_string(accessor.count) +
-                             " elements, but the limit is " + std::to_string(most) + ".");
+    return tl::unexpected(beyond_limit(here,
+                                       "it claims " + std::to_string(accessor.count) + " elements",
+                                       std::to_string(most), key));
   // Elements without a buffer view cost the file nothing; they are zero except for a sparse part.
   if (accessor.bufferView < 0 && accessor.count > kMostFromNothing)
     return unsound(here,
@@ -201,14 +205,23 @@ Result<files::Bytes> GltfReader::decode_meshopt(const MeshoptView& view, const s
   const bool triangles = view.mode == "TRIANGLES";
   const auto most = static_cast<std::size_t>(3) *
                     static_cast<std::size_t>(std::max(limits_.vertices, limits_.triangles));
-  if (view.count > most || !stride_good || (triangles && view.count % 3 != 0) ||
+  if (view.count > most)
+    return tl::unexpected(beyond_limit(where,
+                                       "it claims " + std::to_string(view.count) + " elements",
+                                       std::to_string(most), "vertices or triangles"));
+  if (!stride_good || (triangles && view.count % 3 != 0) ||
       (!attributes && !triangles && view.mode != "INDICES"))
     return unsound(where, "the numbers of its meshopt compression are inconsistent.");
   const std::size_t size = view.count * view.stride;
-  if (size / kMostDense > view.length ||
-      size > (static_cast<std::size_t>(limits_.file_mb) << 20) - decoded_bytes_)
+  if (size / kMostDense > view.length)
     return unsound(where, "its meshopt compression claims to hold " + std::to_string(size) +
-                              " bytes, more than it can or may.");
+                              " bytes, more than it can.");
+  if (size > (static_cast<std::size_t>(limits_.file_mb) << 20) - decoded_bytes_)
+    return tl::unexpected(beyond_limit(where,
+                                       "what is compressed by meshopt has " +
+                                           std::to_string((size + decoded_bytes_) >> 20) +
+                                           " MiB in all",
+                                       std::to_string(limits_.file_mb) + " MiB", "file_mb"));
   decoded_bytes_ += size;
   files::Bytes out(size);
   if (out.empty()) return out;
@@ -238,7 +251,7 @@ Result<std::vector<std::array<float, 3>>> GltfReader::vectors(int accessor,
   const std::string here = place(where, accessor);
   const tinygltf::Model& model = *document_.model;
   if (auto good = check(model, accessor, TINYGLTF_TYPE_VEC3,
-                        static_cast<std::size_t>(limits_.vertices), here);
+                        static_cast<std::size_t>(limits_.vertices), "vertices", here);
       !good)
     return tl::unexpected<Problem>(good.error());
   const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
@@ -273,7 +286,8 @@ Result<std::vector<std::array<float, N>>> GltfReader::plain(int accessor, int ty
                                                             const std::string& where) {
   const std::string here = place(where, accessor);
   const tinygltf::Model& model = *document_.model;
-  if (auto good = check(model, accessor, type, static_cast<std::size_t>(limits_.vertices), here);
+  if (auto good = check(model, accessor, type, static_cast<std::size_t>(limits_.vertices),
+                        "vertices", here);
       !good)
     return tl::unexpected<Problem>(good.error());
   const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];
@@ -337,9 +351,9 @@ std::vector<std::string> GltfReader::warnings() const {
 Result<std::vector<std::uint32_t>> GltfReader::indices(int accessor, const std::string& where) {
   const std::string here = place(where, accessor);
   const tinygltf::Model& model = *document_.model;
-  if (auto good =
-          check(model, accessor, TINYGLTF_TYPE_SCALAR,
-                static_cast<std::size_t>(3) * static_cast<std::size_t>(limits_.triangles), here);
+  if (auto good = check(model, accessor, TINYGLTF_TYPE_SCALAR,
+                        static_cast<std::size_t>(3) * static_cast<std::size_t>(limits_.triangles),
+                        "triangles", here);
       !good)
     return tl::unexpected<Problem>(good.error());
   const tinygltf::Accessor& a = model.accessors[static_cast<std::size_t>(accessor)];

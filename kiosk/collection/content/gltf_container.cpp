@@ -6,6 +6,7 @@
 
 #include "kiosk/collection/content/data_uri.h"
 #include "kiosk/collection/content/glb.h"
+#include "kiosk/collection/content/vessel_file.h"
 
 namespace onggi::content {
 
@@ -73,11 +74,13 @@ class JsonSieve {
       if (c == '}' || c == ']') --depth_;
       if (c == '{' || c == '[' || c == ',' || c == ':') ++values_;
       if (depth_ > limits_.json_depth)
-        return broken_gltf(
-            name_, "its JSON is nested more than " + std::to_string(limits_.json_depth) + " deep.");
+        return tl::unexpected(beyond_limit(
+            name_, "its JSON is nested " + std::to_string(depth_) + " deep or deeper",
+            std::to_string(limits_.json_depth), "json_depth", "Export the vessel again"));
       if (values_ > limits_.json_values)
-        return broken_gltf(
-            name_, "its JSON has more than " + std::to_string(limits_.json_values) + " values.");
+        return tl::unexpected(beyond_limit(
+            name_, "its JSON has " + std::to_string(values_) + " values or more",
+            std::to_string(limits_.json_values), "json_values", "Export the vessel alone"));
       if (auto good = copy(at_, at_ + 1, out); !good) return good;
       ++at_;
     }
@@ -105,9 +108,9 @@ class JsonSieve {
 
   Result<void> copy(std::size_t from, std::size_t to, GltfContainer& out) {
     if (out.json.size() + (to - from) > most_)
-      return broken_gltf(name_,
-                         "its JSON has " + std::to_string((end_ - at_ + out.json.size()) >> 20) +
-                             " MiB, but the limit is " + std::to_string(limits_.json_mb) + ".");
+      return tl::unexpected(beyond_limit(
+          name_, "its JSON has " + std::to_string((end_ - at_ + out.json.size()) >> 20) + " MiB",
+          std::to_string(limits_.json_mb) + " MiB", "json_mb", "Export the vessel as GLB"));
     out.json.append(reinterpret_cast<const char*>(bytes_.data()) + from, to - from);
     return {};
   }

@@ -193,10 +193,15 @@ Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
       return broken_gltf(here, "it should have " + std::to_string(wanted) + " bytes, but it has " +
                                    std::to_string(there) + ".");
     };
+    const auto too_large = [&](std::size_t size) {
+      return tl::unexpected(beyond_limit(
+          here, "the buffers have " + std::to_string((most - left + size) >> 20) + " MiB together",
+          std::to_string(most >> 20) + " MiB", "file_mb"));
+    };
     std::span<const unsigned char> bytes;
     if (const auto data = data_behind(uri, container)) {
       const auto text = std::exchange(container.data[*data], {}).in(out.file);
-      if (wanted > left) return broken_gltf(here, "the buffers together are too large.");
+      if (wanted > left) return too_large(wanted);
       if (most_bytes_in(text) < wanted) return too_few(most_bytes_in(text));
       const auto decoded = decode_data_uri(text, wanted);
       if (!decoded) return broken_gltf(here, "its data within the file cannot be decoded.");
@@ -214,7 +219,7 @@ Result<void> load_buffers(const std::filesystem::path& folder, const json& doc,
     if (bytes.size() < wanted && !(uri.empty() && !(i == 0 && container.bin)))
       return too_few(bytes.size());
     bytes = bytes.first(std::min(bytes.size(), wanted));
-    if (bytes.size() > left) return broken_gltf(here, "the buffers together are too large.");
+    if (bytes.size() > left) return too_large(bytes.size());
     left -= bytes.size();
     out.buffers.push_back(bytes);
   }

@@ -1,5 +1,7 @@
 #include "kiosk/collection/content/gltf_draco.h"
 
+#include "kiosk/collection/content/vessel_file.h"
+
 #ifdef ONGGI_HAS_DRACO
 #include <draco/compression/decode.h>
 #endif
@@ -79,8 +81,13 @@ Result<DecodedPrimitive> decode_draco(std::span<const unsigned char> bytes,
     const draco::Mesh& mesh = *decoded.value();
     if (mesh.num_points() > static_cast<std::size_t>(limits.vertices) ||
         mesh.num_faces() > static_cast<std::size_t>(limits.triangles))
-      return problem(where, "its Draco compression holds more vertices than a vessel needs.",
-                     "Export the vessel with fewer triangles.");
+      return tl::unexpected(beyond_limit(where,
+                                         "its Draco compression holds " +
+                                             std::to_string(mesh.num_points()) + " vertices and " +
+                                             std::to_string(mesh.num_faces()) + " triangles",
+                                         std::to_string(limits.vertices) + " vertices and " +
+                                             std::to_string(limits.triangles) + " triangles",
+                                         "vertices or triangles"));
     DecodedPrimitive out;
     if (!copy_attribute(mesh, primitive.position, out.positions)) return damaged();
     if (!copy_attribute(mesh, primitive.normal, out.normals)) out.normals.clear();

@@ -67,7 +67,12 @@ class Pictures {
  public:
   Pictures(const json& document, const std::filesystem::path& folder, GltfContainer& container,
            std::size_t most, GltfDocument& out)
-      : document_(document), folder_(folder), container_(container), left_(most), out_(out) {}
+      : document_(document),
+        folder_(folder),
+        container_(container),
+        most_(most),
+        left_(most),
+        out_(out) {}
 
   /// The index of the picture in out.pictures; reads it at the first call.
   int of_image(int image) {
@@ -100,7 +105,8 @@ class Pictures {
       if (!decoded || decoded->empty())
         picture.fault = "its data within the file cannot be decoded";
       else if (decoded->size() > left_)
-        picture.fault = "the pictures of the file together are too large";
+        picture.fault = "the limit for them together is " + std::to_string(most_ >> 20) +
+                        " MiB: scale its pictures down, or raise file_mb in the exhibit's [reader]";
       else
         picture.bytes = *decoded;
     } else if (uri.empty() || uri.starts_with("data:")) {
@@ -120,6 +126,7 @@ class Pictures {
   const json& document_;
   const std::filesystem::path& folder_;
   GltfContainer& container_;
+  const std::size_t most_;
   std::size_t left_, read_ = 0;
   GltfDocument& out_;
   std::map<int, int> known_;

@@ -117,9 +117,11 @@ int read(const std::string& ending, std::size_t vertices, std::size_t triangles)
       all_triangles += scene->mMeshes[node.mMeshes[m]]->mNumFaces;
     }
     if (all_vertices > vertices || all_triangles > triangles)
-      return answer(onggi::content::refusal_bytes("it has more than " + std::to_string(vertices) +
-                                                  " vertices or " + std::to_string(triangles) +
-                                                  " triangles, which is the most"));
+      return answer(
+          onggi::content::refusal_bytes("it has more than " + std::to_string(vertices) +
+                                        " vertices or " + std::to_string(triangles) +
+                                        " triangles: export it with fewer, or raise "
+                                        "vertices or triangles in the exhibit's [reader]"));
     MeshPart part = part_of(*scene, node);
     if (!part.triangles.empty()) parts.push_back(std::move(part));
   }

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "engine/math/unit.h"
-#include "kiosk/collection/content/glb.h"
+#include "engine/profile/extraction.h"
+#include "kiosk/collection/decoration/decorate.h"
 
 namespace onggi::content {
 
@@ -51,9 +52,28 @@ Section thinned(const Section& section) {
 
 TriangleMesh turned(const Drawing& drawing) { return revolve(thinned(drawing.section), kSectors); }
 
+Result<surface::Surface> decorated(const Drawing& drawing, const decoration::Decoration& decoration,
+                                   const std::string& name) {
+  const ExtractionOptions options{.slices = 400, .up = Vec3{0, 1, 0}};
+  const auto found = extract_profile(turned(drawing), options, name);
+  if (!found) return tl::unexpected<Problem>(found.error());
+  return decoration::decorated(found->profile, decoration, name);
+}
+
+namespace {
+
+// Credits the drawing's source, not the vessel's owner, who did not make the model.
+std::string credit_of(const Drawing& drawing) { return "Drawn from: " + drawing.source; }
+
+}  // namespace
+
 std::vector<std::byte> make_glb(const Drawing& drawing) {
-  // Credits the drawing's source, not the vessel's owner, who did not make the model.
-  return write_glb(turned(drawing), drawing.title, "Drawn from: " + drawing.source);
+  return write_glb(turned(drawing), drawing.title, credit_of(drawing));
+}
+
+std::vector<std::byte> make_glb(const Drawing& drawing, const TriangleMesh& mesh,
+                                const GlbPicture& picture) {
+  return write_glb(mesh, drawing.title, credit_of(drawing), GlbMaterial{}, picture);
 }
 
 }  // namespace onggi::content

@@ -125,6 +125,9 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   root.require("credit", "Say whom to thank: credit = \"Museum, drawn by ...\".");
   root.boolean(kUnfinished, pack.unfinished);
   root.text("drawing", pack.drawing);
+  root.text("decoration", pack.decoration);
+  root.text("way", pack.way);
+  root.texts("glazes", pack.glazes);
   double mm = 0.0;
   if (root.number("true_height_mm", mm, 5.0, 5000.0, "mm")) pack.true_height = 0.001 * mm;
   if (root.number("true_diameter_mm", mm, 5.0, 5000.0, "mm")) pack.true_diameter = 0.001 * mm;
@@ -145,9 +148,11 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   read_color(root, pack);
   read_labels(root, read);
   root.finish();
-  if (!pack.drawing.empty() && pack.drawing != std::filesystem::path(pack.drawing).filename())
-    root.complain("drawing", "drawing names a file outside the vessel's folder.",
-                  "Put the drawing beside vessel.toml and write only its name.");
+  for (const auto& [key, file] :
+       {std::pair{"drawing", &pack.drawing}, {"decoration", &pack.decoration}})
+    if (!file->empty() && *file != std::filesystem::path(*file).filename())
+      root.complain(key, std::string(key) + " names a file outside the vessel's folder.",
+                    std::string("Put the ") + key + " beside vessel.toml and write only its name.");
   read.problems = reader.problems();
   keep_good_addresses(root, pack);
   ask_for_the_rest(root, pack, languages);

@@ -13,8 +13,11 @@ namespace onggi::content {
 
 /// A vessel.toml: what a curator writes about a vessel (kiosk/docs/add_a_vessel.md).
 struct Pack {
-  bool unfinished = false;                      ///< Visitors do not see it yet.
-  std::string drawing;                          ///< A file beside it; empty: none.
+  bool unfinished = false;  ///< Visitors do not see it yet.
+  std::string drawing;      ///< A file beside it; empty: none.
+  std::string decoration;   ///< A file beside it, of which its colours were made; empty: none.
+  std::string way;          ///< Id of the way that visitors decorate it in; empty: usual.
+  std::vector<std::string> glazes;              ///< Ids of its own glazes, which are offered first.
   double true_height = 0.0, true_diameter = 0;  ///< Metres; 0: not given.
   double unit = 0.0;                            ///< Metres in one unit of the mesh; 0: not given.
   std::optional<Vec3> up;                       ///< In the mesh's axes.

@@ -319,7 +319,8 @@ bool is_document_ending(const fs::path& file) {
 bool is_scan_document(const fs::path& file) {
   if (!is_document_ending(file)) return false;
   const settings::ReaderLimits limits;
-  const auto bytes = read_vessel_file(file, static_cast<std::size_t>(limits.json_mb) << 20);
+  const auto bytes =
+      read_vessel_file(file, static_cast<std::size_t>(limits.json_mb) << 20, "json_mb");
   if (!bytes) return false;
   const auto container = split_gltf(file.string(), *bytes, limits);
   if (!container) return false;
@@ -330,7 +331,8 @@ bool is_scan_document(const fs::path& file) {
 Result<ScanDocument> read_scan_document(const fs::path& file,
                                         const settings::ReaderLimits& limits) {
   const std::string name = file.string();
-  const auto bytes = read_vessel_file(file, static_cast<std::size_t>(limits.json_mb) << 20);
+  const auto bytes =
+      read_vessel_file(file, static_cast<std::size_t>(limits.json_mb) << 20, "json_mb");
   if (!bytes) return tl::unexpected<Problem>(bytes.error());
   const auto container = split_gltf(name, *bytes, limits);
   if (!container) return tl::unexpected(no_document(name, container.error().what));

@@ -13,6 +13,7 @@
 #include "kiosk/collection/content/scan_document.h"
 #include "kiosk/collection/content/screen_model.h"
 #include "kiosk/collection/content/true_size.h"
+#include "kiosk/collection/content/vessel_file.h"
 #include "kiosk/collection/settings/visitor_text.h"
 
 namespace onggi::content {
@@ -53,6 +54,7 @@ struct Order {
   Vessel vessel;
   ToldSize told;
   std::optional<std::array<float, 3>> color;  ///< From the pack.
+  bool decorated = false;                     ///< The file's own colours are from a decoration.
   GltfCredit document;                        ///< Credit from a document that names the file.
   LoadOptions options;
 };
@@ -82,7 +84,7 @@ Result<Vessel> measured(const Order& order, const GltfModel& model, const NamedP
       named.part == nullptr ? model.coloring : coloring_of(model, *named.part, named.reach);
   if (order.color) {
     vessel.color = *order.color;
-    vessel.coloring = {};
+    if (!order.decorated) vessel.coloring = {};
   }
   return vessel;
 }
@@ -203,10 +205,9 @@ Result<std::vector<Vessel>> load_each(const Order& order, const GltfModel& model
                                       const std::vector<const GltfPart*>& objects) {
   const auto most = static_cast<std::size_t>(order.options.limits.vessels_in_a_file);
   if (objects.size() > most)
-    return problem(order.vessel.file.string(),
-                   "it holds " + std::to_string(objects.size()) + " objects, but the limit is " +
-                       std::to_string(most) + ".",
-                   "Export the vessels one by one, or a few to a file.");
+    return tl::unexpected(beyond_limit(
+        order.vessel.file.string(), "it holds " + std::to_string(objects.size()) + " objects",
+        std::to_string(most), "vessels_in_a_file", "Export a few vessels to a file"));
   std::vector<Vessel> out;
   std::vector<NamedPart> parts;
   std::string others;
@@ -269,6 +270,8 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
                              vessel.file.string());
   vessel.labels = pack.labels;
   vessel.credit = pack.credit_line();
+  vessel.way = pack.way;
+  vessel.glazes = pack.glazes;
   vessel.licence = pack.licence;
   vessel.source = pack.source;
   vessel.address = pack.address;
@@ -281,6 +284,7 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
   if (!pack.node.empty()) order.options.node = pack.node;
   if (pack.up && !options.up) order.options.up = pack.up;
   if (pack.color) order.color = pack.color;
+  order.decorated = !pack.decoration.empty();
   return order;
 }
 

@@ -43,8 +43,10 @@ struct Vessel {
   std::map<std::string, Label> labels;  ///< By language; may be empty for a bare file.
   GltfCredit given;                     ///< What the file says about itself.
   std::string credit, licence, source;
-  std::string address;       ///< The museum's page, valid; a label may have its own.
-  double true_height = 0.0;  ///< Metres, from the TOML's height or diameter; 0: not given.
+  std::string way;  ///< Id of the way that visitors decorate it in; empty: the usual one.
+  std::vector<std::string> glazes;  ///< Ids of its own glazes, which are offered first.
+  std::string address;              ///< The museum's page, valid; a label may have its own.
+  double true_height = 0.0;         ///< Metres, from the TOML's height or diameter; 0: not given.
   SizeFrom size_from = SizeFrom::file;
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
   LighterMesh turning;         ///< A reduced `mesh`, for a turning picture.

@@ -9,10 +9,10 @@ using Kind = files::ReadFault::Kind;
 std::string mib(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
 
 /// The Problem of a file that was opened but is wrong.
-Problem not_read(const std::string& name, const files::ReadFault& fault, std::size_t most) {
+Problem not_read(const std::string& name, const files::ReadFault& fault, std::size_t most,
+                 const std::string& key = "file_mb") {
   if (fault.kind == Kind::too_large)
-    return {name, "it has " + mib(fault.size) + ", but the limit is " + mib(most) + ".",
-            "Export the vessel with fewer triangles."};
+    return beyond_limit(name, "it has " + mib(fault.size), mib(most), key);
   if (fault.kind == Kind::unreadable)
     return {name, "it cannot be read: " + fault.reason + ".",
             "Check the disk and the file's permissions."};
@@ -21,13 +21,20 @@ Problem not_read(const std::string& name, const files::ReadFault& fault, std::si
 
 }  // namespace
 
-Result<files::Bytes> read_vessel_file(const std::filesystem::path& file, std::size_t most) {
+Problem beyond_limit(const std::string& where, const std::string& what, const std::string& limit,
+                     const std::string& key, const std::string& smaller) {
+  return {where, what + ", but the limit is " + limit + ".",
+          smaller + ", or raise " + key + " in the exhibit's [reader]."};
+}
+
+Result<files::Bytes> read_vessel_file(const std::filesystem::path& file, std::size_t most,
+                                      const std::string& key) {
   auto bytes = files::read_file(file, most);
   if (bytes) return std::move(*bytes);
   if (bytes.error().kind == Kind::missing || bytes.error().kind == Kind::closed)
     return problem(file.string(), "it cannot be opened: " + bytes.error().reason + ".",
                    "Check the name, and check that the kiosk can read it.");
-  return tl::unexpected(not_read(file.string(), bytes.error(), most));
+  return tl::unexpected(not_read(file.string(), bytes.error(), most, key));
 }
 
 namespace {

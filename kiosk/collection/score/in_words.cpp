@@ -19,10 +19,13 @@ constexpr std::array<std::pair<const char*, const char*>, 7> kSayings{
      {"opening_narrow", "plain.opening"},
      {"wall_uneven", "plain.even"}}};
 
+/// From here on it is the rim, at the wheel too.
+constexpr double kRim = 0.93;
+
 /// The place of a width at `height` of the vessel, where no part has a name.
 const char* place_at(double height) {
   if (height < 0.1) return "foot";
-  if (height > 0.93) return "rim";
+  if (height > kRim) return "rim";
   if (height < 0.36) return "low";
   return height > 0.64 ? "high" : "middle";
 }
@@ -37,7 +40,8 @@ Remark in_words(const Remark& remark) {
   if (!remark.seen || (!wide && !narrow)) return remark;
   std::string place = place_at(remark.seen->wanted);
   for (const auto& [part, name] : kNamed)
-    if (ending.starts_with(part)) place = name;
+    // A neck right below the lip is no neck to a visitor.
+    if (ending.starts_with(part) && (name != std::string("neck") || place != "rim")) place = name;
   const std::string much = remark.seen->share >= kMuch ? "plain.much_" : "plain.";
   return {much + (wide ? "narrower" : "wider"), {{"place", place}}, remark.seen};
 }

@@ -18,12 +18,16 @@ constexpr double kWallUneven = 0.75, kAsEven = 0.01;
 /// A pot that is further out of round is told so, before what nobody sees of its shape. Share of
 /// the size.
 constexpr double kTrue = 0.0005;
+/// Rank of what cost more than the shape; a closed pot has 1.
+constexpr double kBeforeShape = 0.5;
 constexpr std::size_t kMost = 3;
 /// A named part counts as the largest difference from this share of the worst place on.
 constexpr double kAsMuch = 0.9;
 /// If the worst place is at the part, within this share of the height, this smaller share is
 /// enough.
 constexpr double kAtPart = 0.08, kAsMuchThere = 0.6;
+/// A ripple is a ring and a groove; it is seen sooner than a width that is out as much.
+constexpr double kRipples = 1.5;
 /// A neck must be this much narrower than the lip above it.
 constexpr double kNeck = 0.97;
 /// An opening that lacks this share of the vessel's own counts as closed.
@@ -70,6 +74,12 @@ std::vector<Feature> features(const Measures& m) {
       {"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0, target.height, target.mouth});
   out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9, 0.0, target.foot});
   return out;
+}
+
+/// At the pot's own size the width is right, or out the other way.
+bool only_scaled(const Feature& f, const Measures& m, double size) {
+  const double unscaled = (f.length + f.difference) / m.scale - f.length;
+  return unscaled * f.difference <= 0.0 || std::abs(unscaled) <= kAlike * size;
 }
 
 bool narrow_inside(const Measures& m) { return m.opening_lacking > kOpenEnough; }
@@ -171,15 +181,27 @@ std::optional<Remark> largest_difference(const Measures& m, bool scale_free, dou
   return remark;
 }
 
-std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_scale) {
+std::vector<Remark> try_next(const Measures& m, const Asked& asked) {
   const double size = size_of(m.target);
-  const auto mm = [&](double difference) {
-    return std::lround(1000.0 * true_scale * std::abs(difference));
+  const auto& [scale_free, true_scale, by_line, lost, ripples] = asked;
+  const auto mm = [scale = true_scale](double difference) {
+    return std::lround(1000.0 * scale * std::abs(difference));
   };
+  // The wheel's own metres: what the line shows.
+  const double taller = m.made.height / m.scale - m.target.height;
+  const bool height_off =
+      (by_line || !scale_free) && std::abs(taller) > kAlike * m.target.height && mm(taller) > 0;
+  double by_height = scale_free ? 0.0 : std::abs(taller) / size;
   std::vector<Ranked> found;
   for (const Feature& f : features(m)) {
     const double apart = std::abs(f.difference) / size;
     if (apart <= kAlike || f.weight * apart <= 0.5 * kAlike || mm(f.difference) == 0) continue;
+    // The widest place is one of the rings.
+    if (ripples > 0.0 && std::string(f.more) == "high") continue;
+    if (height_off && std::string(f.more) == "wide" && only_scaled(f, m, size)) {
+      by_height = std::max(by_height, f.weight * apart);
+      continue;
+    }
     const std::string key =
         std::string("remark.") + f.name + "_" + (f.difference > 0.0 ? f.more : f.less);
     const double wanted = f.place / m.target.height;
@@ -190,10 +212,9 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
                       {{"mm", std::to_string(mm(f.difference))}},
                       Remark::Seen{made, wanted, std::abs(f.difference) / f.length}}});
   }
-  const double taller = m.made.height - m.target.height;
-  if (!scale_free && std::abs(taller) > kAlike * m.target.height && mm(taller) > 0)
+  if (height_off && by_height > 0.0)
     found.push_back(
-        {std::abs(taller) / size,
+        {by_height,
          {taller > 0.0 ? "remark.tall" : "remark.short", {{"mm", std::to_string(mm(taller))}}}});
   // A closed pot comes before everything else.
   if (shut(m))
@@ -208,6 +229,8 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
          {"remark.wall_uneven", {{"percent", whole(100.0 * (1.0 - m.made.wall_evenness))}}}});
 
   if (m.out_of_round > kTrue * size) found.push_back({kAlike, {"remark.not_round", {}}});
+  if (ripples > 0.0)
+    found.push_back({std::max(kAlike, kRipples * ripples / size), {"remark.rippled", {}}});
 
   // The place where the outlines are furthest apart, unless a named part already covers it.
   const double worst = 2.0 * m.common_firm * m.target.height;
@@ -219,6 +242,12 @@ std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_sca
          {m.common_firm_sign > 0.0 ? "remark.wide" : "remark.narrow",
           {{"mm", std::to_string(mm(worst))}, {"percent", percent_of_height(m.common_firm_at)}},
           Remark::Seen{m.common_firm_at, m.common_firm_at, worst / m.target.belly}}});
+  for (Ranked& r : found) {
+    const double cost = r.remark.key == "remark.not_round"     ? lost.round
+                        : r.remark.key == "remark.wall_uneven" ? lost.wall
+                                                               : 0.0;
+    if (cost > lost.shape) r.rank = kBeforeShape + kBeforeShape * cost;
+  }
   return best(std::move(found));
 }
 
@@ -229,9 +258,10 @@ void take_back(std::vector<Remark>& alike, const Remark& largest) {
 }
 
 std::vector<std::string> remark_keys() {
-  std::vector<std::string> keys{
-      "alike.outline", "alike.belly", "alike.mouth", "alike.foot",         "alike.neck",
-      "alike.height",  "alike.wall",  "alike.start", "remark.wall_uneven", "remark.not_round"};
+  std::vector<std::string> keys{"alike.outline",    "alike.belly",   "alike.mouth",
+                                "alike.foot",       "alike.neck",    "alike.height",
+                                "alike.wall",       "alike.start",   "remark.wall_uneven",
+                                "remark.not_round", "remark.rippled"};
   for (const char* family : {"remark.", "difference."})
     for (const char* ending :
          {"belly_wide", "belly_narrow", "belly_high", "belly_low", "neck_wide", "neck_narrow",

@@ -22,7 +22,25 @@ void take_back(std::vector<Remark>& alike, const Remark& largest);
 /// the dimensions, or a height of 1 to 99 percent.
 std::optional<Remark> largest_difference(const Measures& m, bool scale_free, double true_scale);
 
-/// Advice, largest difference first; at most three.
-std::vector<Remark> try_next(const Measures& m, bool scale_free, double true_scale);
+/// What a pot has lost of its points, as shares of those that are left without it, 0..1.
+struct Lost {
+  double round = 0, wall = 0;
+  double shape = 0;  ///< All else.
+};
+
+/// How a pot is spoken of.
+struct Asked {
+  bool scale_free = true;
+  double true_scale = 1.0;
+  /// The hands followed the vessel's line at its own size. Where the pot ends below the line, its
+  /// widths are not too wide only because it is scaled up: it is too short.
+  bool by_line = false;
+  Lost lost{};
+  double ripples = 0;  ///< ripples(), metres.
+};
+
+/// Advice, largest difference first; at most three. A wall that does not run true or is uneven
+/// comes before the shape where it cost more.
+std::vector<Remark> try_next(const Measures& m, const Asked& asked);
 
 }  // namespace onggi::score

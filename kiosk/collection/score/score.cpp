@@ -6,6 +6,7 @@
 #include "engine/math/portable.h"
 #include "kiosk/collection/score/parts.h"
 #include "kiosk/collection/score/remarks.h"
+#include "kiosk/collection/score/ripples.h"
 
 namespace onggi::score {
 
@@ -30,6 +31,16 @@ double most_with(double worst, const settings::Rubric::Worst& rubric) {
   return 100.0 / (1.0 + (100.0 / rubric.points - 1.0) * x * std::sqrt(x));
 }
 
+double round_left(const Measures& m, const settings::Rubric& rubric) {
+  return after(rubric.round, m.out_of_round / size_of(m.target));
+}
+
+/// A wall need not be more even than the vessel's own, if that is known.
+double wall_left(const Measures& m, const Profile& target, const settings::Rubric& rubric) {
+  if (target.inner_wall != InnerWall::measured || m.target.wall_evenness <= 0.0) return 1.0;
+  return after(rubric.wall, std::max(0.0, 1.0 - m.made.wall_evenness / m.target.wall_evenness));
+}
+
 double points_of(const Measures& m, const Profile& target, bool scale_free,
                  const settings::Rubric& rubric) {
   const double size = size_of(m.target);
@@ -45,12 +56,10 @@ double points_of(const Measures& m, const Profile& target, bool scale_free,
   left *= after(rubric.foot, radius_apart(m.made.foot, m.target.foot));
   left *= after(rubric.curvature, m.turning_rms * 180.0 / portable::kPi);
   left *= after(rubric.opening, std::max(0.0, m.opening_lacking - kOpenEnough));
-  left *= after(rubric.round, m.out_of_round / size);
+  left *= round_left(m, rubric);
   if (!scale_free)
     left *= after(rubric.height, std::abs(m.made.height - m.target.height) / m.target.height);
-  // A wall need not be more even than the vessel's own, if that is known.
-  if (target.inner_wall == InnerWall::measured && m.target.wall_evenness > 0.0)
-    left *= after(rubric.wall, std::max(0.0, 1.0 - m.made.wall_evenness / m.target.wall_evenness));
+  left *= wall_left(m, target, rubric);
   return std::min(left, most_with(m.outline_worst_firm, rubric.worst));
 }
 
@@ -64,7 +73,7 @@ int stars_of(double points, const settings::Rubric& rubric) {
 }
 
 Score judge(const Profile& target, const Profile& made, bool scale_free, double true_scale,
-            const settings::Rubric& rubric) {
+            const settings::Rubric& rubric, bool by_line) {
   Score score;
   score.measures = compare(target, made, scale_free);
   score.points = std::clamp(points_of(score.measures, target, scale_free, rubric), 0.0, 100.0);
@@ -74,7 +83,13 @@ Score judge(const Profile& target, const Profile& made, bool scale_free, double 
   const double scale = known ? true_scale : 1.0;
   score.largest = largest_difference(score.measures, scale_free, scale);
   if (score.largest) take_back(score.alike, *score.largest);
-  if (score.stars < 5) score.try_next = try_next(score.measures, scale_free, scale);
+  const double round = round_left(score.measures, rubric);
+  const double wall = wall_left(score.measures, target, rubric);
+  const Lost lost{1.0 - round, 1.0 - wall,
+                  round * wall > 0.0 ? 1.0 - score.points / (100.0 * round * wall) : 0.0};
+  if (score.stars < 5)
+    score.try_next =
+        try_next(score.measures, {scale_free, scale, by_line, lost, ripples(target, made)});
   if (known) return score;
   if (score.largest) score.largest = in_parts(*score.largest, score.measures, scale);
   for (Remark& remark : score.try_next) remark = in_parts(remark, score.measures, scale);

@@ -24,10 +24,11 @@ namespace onggi::score {
 ///   remark.foot_wide {mm}     remark.foot_narrow {mm}    diameter at the foot
 ///   remark.wide {mm} {percent}, remark.narrow {mm} {percent}   diameter at {percent} of the height
 ///                             from the foot, 1 to 99, where no part of those above is out as much
-///   remark.tall {mm}          remark.short {mm}          height; never when scale-free
+///   remark.tall {mm}          remark.short {mm}          height; when scale-free only by_line
 ///   remark.opening_narrow {percent}   the way in, where it is narrowest, lacks so much
 ///   remark.opening_shut       it is closed over, or as good as
 ///   remark.not_round          the wall does not run true
+///   remark.rippled            ring upon ring, which the vessel has not
 ///   remark.wall_uneven {percent}   wall thickness varies by {percent} of its mean, whole number
 /// The largest difference, said as it is and not as advice, with the same endings and places:
 ///   difference.belly_wide ... difference.narrow, difference.tall, difference.short,
@@ -72,8 +73,9 @@ int stars_of(double points, const settings::Rubric& rubric);
 /// Scores the measures by `rubric`; `scale_free` replaces its size_counts. Both profiles must be
 /// valid, metres. `true_scale` is true metres for one metre of `target` (1 / the workspace scale),
 /// so that remarks speak of the real vessel; 0 if its true size is not known: then they give parts.
-/// The same bits on every machine. Allocates.
+/// `by_line`: the pot was thrown along the line of `target` at its own size, so try_next blames a
+/// pot's height where its widths fit the line. The same bits on every machine. Allocates.
 Score judge(const Profile& target, const Profile& made, bool scale_free = true,
-            double true_scale = 1.0, const settings::Rubric& rubric = {});
+            double true_scale = 1.0, const settings::Rubric& rubric = {}, bool by_line = false);
 
 }  // namespace onggi::score

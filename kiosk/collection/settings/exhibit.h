@@ -42,6 +42,9 @@ struct Exhibit {
   Rubric rubric;                                      ///< Its values, or the defaults.
   std::filesystem::path glazes =
       "../content/glazes.toml";  ///< The glazes to choose from; used where the scene has a kiln.
+  /// Folder of the ways to decorate a pot, a TOML each; absent: none.
+  std::optional<std::filesystem::path> ways;
+  bool decorate = true;  ///< Visitors may decorate their pots.
   /// TOML of the lesson of the first minute; absent: none.
   std::optional<std::filesystem::path> lesson;
   /// TOML of the missions that visitors can choose before a vessel; absent: none.

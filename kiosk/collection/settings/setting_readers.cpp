@@ -170,6 +170,18 @@ void read_optional_file(const Setting& setting, SettingReading& reading) {
     value_of<std::optional<fs::path>>(setting, reading) = file;
 }
 
+void read_optional_folder(const Setting& setting, SettingReading& reading) {
+  const std::string key(setting.key), usual(setting.usual);  // in quotes
+  fs::path folder = usual.substr(1, usual.size() - 2);
+  read_path(reading.table, key, reading.folder, folder);
+  std::error_code error;
+  if (fs::is_directory(folder, error))
+    value_of<std::optional<fs::path>>(setting, reading) = folder;
+  else if (reading.table.has(key))
+    reading.table.complain(key, folder.string() + " is not a folder.",
+                           "Name an existing folder, or remove the line.");
+}
+
 void read_rubric_file(const Setting& setting, SettingReading& reading) {
   fs::path& file = value_of<fs::path>(setting, reading);
   if (!read_file(setting, reading, reading.table.has(setting.key), file)) return;

@@ -24,6 +24,8 @@ void read_vessel_ids(const Setting& setting, SettingReading& reading);
 void read_needed_file(const Setting& setting, SettingReading& reading);
 /// A file that may be absent if the key is.
 void read_optional_file(const Setting& setting, SettingReading& reading);
+/// A folder that may be absent if the key is.
+void read_optional_folder(const Setting& setting, SettingReading& reading);
 /// The rubric's file, and its values; without the key and without the file the defaults apply.
 void read_rubric_file(const Setting& setting, SettingReading& reading);
 /// A folder that is made when first needed.

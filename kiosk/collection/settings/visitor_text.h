@@ -32,6 +32,9 @@ inline constexpr TextBound kInstitution{100}, kAccession{40}, kCredit{200};
 inline constexpr TextBound kLicence{200}, kSource{1000, true};
 // glazes.toml
 inline constexpr TextBound kGlazeName{40}, kGlazeAbout{160, true};
+// A way to decorate: names of it, its tools, pigments and figures; what a finger does.
+inline constexpr TextBound kWayName{40, false, true}, kWayAbout{200, true, true};
+inline constexpr TextBound kToolHow{120, false, true};
 // A lesson's step, which is read at a glance.
 inline constexpr TextBound kStepWords{120};
 // missions.toml: a card's title, the task.

@@ -164,7 +164,8 @@ std::optional<std::string> fault_of_size(std::uint64_t width, std::uint64_t heig
   if (width == 0 || height == 0) return "it has no pixels";
   if (width <= most && height <= most) return std::nullopt;
   return "it has " + std::to_string(width) + " x " + std::to_string(height) +
-         " pixels, but the limit for its longest side is " + std::to_string(most);
+         " pixels, but the limit for its longest side is " + std::to_string(most) +
+         ": scale it down, or raise texture_px in the exhibit's [reader]";
 }
 
 Decoded decode_png(std::span<const std::uint8_t> bytes, unsigned most_side) {

@@ -1,5 +1,6 @@
 #include "kiosk/collection/content/gltf_coloring.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
@@ -189,7 +190,11 @@ TEST_F(Colors, a_picture_bomb_is_refused_by_its_size_and_costs_nothing) {
   settings::ReaderLimits limits;
   limits.texture_px = 32;
   scan.picture = png_of(halves());
-  EXPECT_NE(note_of(read(scan, limits)).find("64 x 64 pixels"), std::string::npos);
+  EXPECT_THAT(
+      note_of(read(scan, limits)),
+      ::testing::AllOf(::testing::HasSubstr("64 x 64 pixels"),
+                       ::testing::HasSubstr("the limit for its longest side is 32"),
+                       ::testing::HasSubstr("or raise texture_px in the exhibit's [reader]")));
   limits.texture_px = 0;
   const Vessel unread = read(scan, limits);
   EXPECT_TRUE(unread.coloring.empty());
@@ -299,7 +304,9 @@ TEST_F(Colors, a_picture_within_the_file_that_is_larger_than_the_most_is_refused
       limits);
   ASSERT_TRUE(opened) << to_text(opened.error());
   EXPECT_EQ(opened->pictures[0].fault, "");
-  EXPECT_NE(opened->pictures[1].fault.find("too large"), std::string::npos);
+  EXPECT_THAT(opened->pictures[1].fault,
+              ::testing::AllOf(::testing::HasSubstr("the limit for them together is 1 MiB"),
+                               ::testing::HasSubstr("or raise file_mb in the exhibit's [reader]")));
   EXPECT_TRUE(opened->pictures[1].bytes.empty());
   EXPECT_EQ(opened->pictures[2].bytes.size(), 3u) << "what just fits";
 }

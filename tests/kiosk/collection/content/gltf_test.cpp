@@ -165,7 +165,7 @@ TEST_F(GltfTest, data_within_the_file_is_decoded_in_its_place_and_refused_by_its
   expect_fault(triangle("data:#7"), "cannot be decoded");
   std::string claims = triangle(head + base64(positions()));
   claims.replace(claims.find("\"byteLength\":36,\"uri\""), 15, "\"byteLength\":99999999999");
-  expect_fault(claims, "too large");
+  expect_fault(claims, "MiB together, but the limit is 512 MiB.");
 
   // A long one is no JSON: it counts with the file, and what of it no buffer wants is not decoded.
   settings::ReaderLimits tight;

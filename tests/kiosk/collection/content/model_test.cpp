@@ -6,6 +6,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "kiosk/collection/content/gltf.h"
+#include "kiosk/collection/decoration/unrolled.h"
+#include "kiosk/collection/textures/texture_decoder.h"
 #include "tests/engine/profile/shapes.h"
 
 namespace onggi::content {
@@ -27,12 +30,44 @@ TEST(Model, every_vessel_on_the_shelf_is_what_its_drawing_makes_byte_for_byte) {
     if (!pack.is_directory()) continue;
     const auto drawing = read_drawing(pack.path() / "profile.toml");
     ASSERT_TRUE(drawing) << to_text(drawing.error());
+    ++vessels;
+    if (fs::exists(pack.path() / "decoration.toml")) continue;
     // Not EXPECT_EQ: it would print half a million bytes.
     EXPECT_TRUE(make_glb(*drawing) == read(pack.path() / "vessel.glb"))
         << pack.path() << ": make it again with 'onggi vessel make profile.toml -o vessel.glb'";
-    ++vessels;
   }
-  EXPECT_GE(vessels, 8);
+  EXPECT_GE(vessels, 12);
+}
+
+// The bytes of a PNG depend on who packs it; its pixels do not.
+TEST(Model, every_decorated_vessel_is_what_its_decoration_makes_pixel_for_pixel) {
+  int vessels = 0;
+  for (const auto& pack : fs::directory_iterator("content/vessels")) {
+    const fs::path file = pack.path() / "decoration.toml";
+    if (!fs::exists(file)) continue;
+    ++vessels;
+    const auto drawing = read_drawing(pack.path() / "profile.toml");
+    const auto decoration = decoration::read_decoration(file);
+    ASSERT_TRUE(drawing && decoration) << file;
+    const auto surface = decorated(*drawing, *decoration, file.string());
+    ASSERT_TRUE(surface) << to_text(surface.error());
+    const auto model = read_gltf(pack.path() / "vessel.glb");
+    ASSERT_TRUE(model) << to_text(model.error());
+    ASSERT_EQ(model->coloring.pictures.size(), 1u) << file;
+    const textures::TexturePixels& kept = *model->coloring.pictures[0].pixels;
+    const decoration::Unrolled colors = decoration::unrolled(*surface, *decoration);
+    textures::TexturePixels made{colors.width, colors.height, {}};
+    for (std::size_t n = 0; n < colors.rgba.size(); ++n)
+      if (n % 4 != 3) made.rgb.push_back(colors.rgba[n]);
+    // As the kiosk reads it. Not EXPECT_EQ: it would print a million numbers.
+    EXPECT_TRUE(kept == textures::shrunk(std::move(made), 1024))
+        << file
+        << ": make it again with 'onggi vessel make profile.toml --decoration "
+           "decoration.toml -o vessel.glb'";
+    const auto skin = decoration::placed(turned(*drawing), drawing->section, *surface);
+    EXPECT_EQ(model->mesh.positions, skin.mesh.positions) << file;
+  }
+  EXPECT_GE(vessels, 5);
 }
 
 TEST(Model, a_thinned_vessel_is_watertight_and_holds_the_same_clay) {

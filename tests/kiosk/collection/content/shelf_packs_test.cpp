@@ -176,5 +176,20 @@ TEST(ShelfPacks, every_drawing_has_the_height_and_diameter_that_its_label_claims
   }
 }
 
+// A line in vessel.toml switches a decoration on. The olla's waits: nobody has asked the Pueblo.
+TEST(ShelfPacks, ADecorationIsShownWhereVesselTomlNamesIt) {
+  int shown = 0, waiting = 0;
+  for (const auto& folder : fs::directory_iterator("content/vessels")) {
+    if (!fs::exists(folder.path() / "decoration.toml")) continue;
+    const bool named = !read_pack(folder.path() / "vessel.toml").pack.decoration.empty();
+    const auto vessel = load_vessel(folder.path());
+    ASSERT_TRUE(vessel) << to_text(vessel.error());
+    EXPECT_EQ(vessel->coloring.pictures.size(), named ? 1u : 0u) << folder.path();
+    ++(named ? shown : waiting);
+  }
+  EXPECT_EQ(shown, 9);
+  EXPECT_EQ(waiting, 1);
+}
+
 }  // namespace
 }  // namespace onggi::content

@@ -44,6 +44,7 @@ TEST(InWords, the_place_is_the_parts_or_else_the_heights) {
   EXPECT_EQ(place("remark.belly_wide", 0.2), "belly");
   EXPECT_EQ(place("remark_part.mouth_narrow", 1.0), "rim");
   EXPECT_EQ(place("remark.neck_wide", 0.8), "neck");
+  EXPECT_EQ(place("remark.neck_wide", 0.95), "rim") << "as at the wheel: it is right below the lip";
   EXPECT_EQ(place("remark.foot_wide", 0.0), "foot");
   EXPECT_EQ(place("remark.wide", 0.05), "foot");
   EXPECT_EQ(place("remark.wide", 0.3), "low");

@@ -76,6 +76,33 @@ TEST(Score, the_vessel_itself_has_all_points_and_nothing_left_to_try) {
   }
 }
 
+// Along the line a pot may fit in width and end below it. Scaled up it is too wide, and narrower is
+// what the line denies.
+TEST(Score, a_pot_that_fits_the_line_and_ends_below_it_is_too_low_and_not_too_wide) {
+  for (const Target& t : targets())
+    for (const double share : {0.8, 0.9, 1.15}) {
+      Profile made = resampled(t.profile, 300);
+      for (ProfilePoint& p : made.points) p.height *= share;
+      const Score free = judge(t.profile, made), line = judge(t.profile, made, true, 1, {}, true);
+      EXPECT_EQ(free.points, line.points) << t.name;
+      if (line.stars == 5) continue;
+      ASSERT_FALSE(line.try_next.empty()) << t.name;
+      EXPECT_EQ(line.try_next[0].key, share < 1 ? "remark.short" : "remark.tall")
+          << t.name << " " << share;
+      EXPECT_NEAR(std::stoi(line.try_next[0].places.at("mm")),
+                  1000 * std::abs(share - 1) * t.profile.height(), 1);
+      for (const Remark& r : line.try_next)
+        EXPECT_FALSE(r.key.ends_with(share < 1 ? "_wide" : "_narrow")) << t.name << r.key;
+    }
+}
+
+// What is too wide at its own size and lower, too, is told as it is.
+TEST(Score, a_pot_beyond_the_line_is_too_wide_however_low_it_is) {
+  Profile made = shapes::jar();
+  for (ProfilePoint& p : made.points) p.height *= 0.85, p.outer *= 1.3, p.inner *= 1.3;
+  EXPECT_EQ(judge(shapes::jar(), made, true, 1, {}, true).try_next.at(0).key, "remark.belly_wide");
+}
+
 TEST(Score, following_the_outline_within_one_percent_scores_above_ninety) {
   for (const Target& t : targets())
     for (const double phase : {0.0, 1.3, 2.9, 4.4}) {
@@ -135,6 +162,18 @@ TEST(Score, a_pot_that_does_not_run_true_costs_points_and_is_told_so_unless_its_
   made = unsteady(shapes::jar(), 0.006, 0.7);
   made.out_of_round = 0.002 * made.height();
   EXPECT_EQ(judge(shapes::jar(), made).try_next.at(0).key, "remark.not_round");
+}
+
+TEST(Score, says_first_what_cost_the_most) {
+  const auto first = [](double width, double off) {
+    Profile made = shapes::jar();
+    for (ProfilePoint& p : made.points) p.outer *= width, p.inner *= width;
+    made.out_of_round = off * made.height();
+    return judge(shapes::jar(), made).try_next.at(0).key;
+  };
+  EXPECT_EQ(first(1.04, 0.004), "remark.not_round") << "a tenth of the points";
+  EXPECT_NE(first(1.04, 0.0006), "remark.not_round") << "the shape cost more";
+  EXPECT_NE(first(1.1, 0.004), "remark.not_round");
 }
 
 TEST(Score, stars_go_with_points) {

@@ -1,0 +1,189 @@
+#include "kiosk/collection/decoration/coat_picture.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "kiosk/collection/decoration/decorate.h"
+
+namespace onggi::decoration {
+
+namespace {
+
+using surface::kSectors;
+
+constexpr double kRawGlazeHides = 1.2e-4;             // m
+constexpr int kSlopeUnit = 64, kLevel = 128;          // of form()
+constexpr int kDepthUnit = 4 * surface::kNanometres;  // nm
+
+std::uint64_t next_change() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+std::uint8_t byte(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 255.0f));
+}
+
+float share_hidden(double coat, double hides) {
+  return static_cast<float>(-std::expm1(-coat / hides));
+}
+
+/// Nearest byte to a slope, rise over way.
+std::uint8_t slope_byte(int rise, int way) {
+  return byte(kLevel + 0.5f + kSlopeUnit * static_cast<float>(rise) / static_cast<float>(way));
+}
+
+}  // namespace
+
+CoatPicture::CoatPicture(const surface::Surface& surface, const Palette& palette)
+    : palette_(palette), rows_(surface.rows()) {
+  const auto cells = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(kSectors);
+  paint_.resize(cells);
+  form_.assign(cells, {kLevel, kLevel, 0, 0});
+  const auto tiles = static_cast<std::size_t>(tiles_down() * tiles_across());
+  change_ = next_change();
+  changes_.assign(tiles, change_);
+  stale_.assign(tiles, false);
+  has_glaze_.assign(tiles, false);
+  know_shares(palette);
+  tell_rows(surface);
+}
+
+void CoatPicture::know_shares(const Palette& palette) {
+  for (std::size_t p = 0; p < std::min(palette.pigments.size(), hides_.size()); ++p)
+    for (int code = 0; code < surface::kCodes; ++code)
+      hides_[p][static_cast<std::size_t>(code)] =
+          share_hidden(1e-9 * surface::thickness_of(code), palette.pigments[p].hides);
+  palette_.pigments.resize(surface::kPigments);
+  for (std::size_t units = 0; units < glaze_hides_.size(); ++units)
+    glaze_hides_[units] =
+        share_hidden(1e-9 * static_cast<double>(units) * surface::kGlazeUnit, kRawGlazeHides);
+}
+
+void CoatPicture::tell_rows(const surface::Surface& surface) {
+  using surface::Part;
+  const auto share = [&](int row) { return static_cast<float>(row) / static_cast<float>(rows_); };
+  int outside = 0, lip = 0, inside = 0;  // rows up to the end of each part
+  for (int j = 0; j < rows_; ++j) {
+    const Part part = surface.row(j).part;
+    if (part == Part::outside) outside = j + 1;
+    if (part <= Part::lip) lip = j + 1;
+    if (part <= Part::inside) inside = j + 1;
+  }
+  lip = std::max(lip, outside);
+  inside = std::max(inside, lip);
+  lip_from_ = share(outside), lip_to_ = share(lip), floor_from_ = share(inside);
+  const double top = outside > 0 ? surface.row(outside - 1).height : 0.0;
+  by_height_.resize(kHeights);
+  int outer = 0, inner = inside;
+  for (int n = 0; n < kHeights; ++n) {
+    const double height = top * n / (kHeights - 1);
+    while (outer + 1 < outside && surface.row(outer).height < height) ++outer;
+    while (inner - 1 > lip && surface.row(inner - 1).height < height) --inner;
+    // Between the middles of two rows, so that no step of a row is seen.
+    const auto between = [&](int low, int high) {
+      const double a = surface.row(low).height, b = surface.row(high).height;
+      const double part = b > a ? std::clamp((height - a) / (b - a), 0.0, 1.0) : 0.0;
+      return static_cast<float>((low + 0.5 + part * (high - low)) / rows_);
+    };
+    const float at_outer = between(std::max(outer - 1, 0), outer);
+    const float at_inner =
+        inside > lip ? between(std::min(inner, inside - 1), std::max(inner - 1, lip)) : lip_to_;
+    by_height_[static_cast<std::size_t>(n)] = {at_outer, at_inner};
+  }
+}
+
+void CoatPicture::touch(int from, int to, int first, int last) {
+  // A slope is told from the neighbours.
+  const int low = std::clamp(from - 1, 0, rows_ - 1) / kTileRows;
+  const int high = std::clamp(to, 0, rows_ - 1) / kTileRows;
+  const bool all_round = last - first >= kSectors;
+  const auto left = static_cast<int>(surface::floor_div(first - 1, kTileColumns));
+  const auto right = static_cast<int>(surface::floor_div(last, kTileColumns));
+  for (int down = low; down <= high; ++down)
+    for (int n = all_round ? 0 : left; n <= (all_round ? tiles_across() - 1 : right); ++n) {
+      const int across = surface::wrapped(std::int64_t{n} * kTileColumns) / kTileColumns;
+      stale_[static_cast<std::size_t>(down * tiles_across() + across)] = true;
+    }
+}
+
+void CoatPicture::touch_all() { stale_.assign(stale_.size(), true); }
+
+void CoatPicture::fire(bool fired) {
+  if (fired != fired_) touch_all();
+  fired_ = fired;
+}
+
+bool CoatPicture::draw(const surface::Surface& surface, int most) {
+  for (std::size_t n = 0; n < stale_.size(); ++n) {
+    if (!stale_[n]) continue;
+    if (most-- <= 0) return true;
+    const auto tile = static_cast<int>(n);
+    draw_tile(surface, tile / tiles_across(), tile % tiles_across());
+    stale_[n] = false;
+    changes_[n] = change_ = next_change();
+  }
+  const bool glazed = std::ranges::find(has_glaze_, true) != has_glaze_.end();
+  if (glazed == glazed_) return false;
+  // The fourth value of form() has another meaning now.
+  glazed_ = glazed;
+  touch_all();
+  return draw(surface, most);
+}
+
+CoatPicture::Cover CoatPicture::cover(const surface::Surface& surface, int j, int i) const {
+  Cover out;  // the colour times its share, until the end
+  const auto lay = [&](const std::array<float, 3>& light, float share) {
+    for (std::size_t k = 0; k < 3; ++k) out.light[k] += share * (light[k] - out.light[k]);
+    out.share += share * (1.0f - out.share);
+  };
+  const surface::Strata strata = surface.slip(j, i);
+  if (strata.word() != 0)
+    for (int k = surface::kStrata - 1; k >= 0; --k) {
+      const surface::Stratum stratum = strata.at(k);
+      if (stratum.code == 0) continue;
+      const auto pigment = static_cast<std::size_t>(stratum.pigment);
+      const Palette::Coat& coat = palette_.pigments[pigment];
+      lay(fired_ ? coat.fired : coat.raw, hides_[pigment][static_cast<std::size_t>(stratum.code)]);
+    }
+  if (const int smoke = surface.smoke(j, i); smoke > 0)
+    lay(kCarbon, static_cast<float>(smoke) / surface::kMostSmoke);
+  if (const int units = surface.glaze(j, i); units > 0 && !fired_)
+    lay(palette_.raw_glaze, glaze_hides_[static_cast<std::size_t>(units)]);
+  if (out.share > 0.0f)
+    for (float& light : out.light) light /= out.share;
+  return out;
+}
+
+CoatPicture::Texel CoatPicture::form_at(const surface::Surface& surface, int j, int i) const {
+  const int below = std::max(j - 1, 0), above = std::min(j + 1, rows_ - 1);
+  const int left = surface::wrapped(i - 1), right = surface::wrapped(i + 1);
+  const int along = surface.top(above, i) - surface.top(below, i);
+  const int round = surface.top(j, right) - surface.top(j, left);
+  constexpr int kRow = surface::kRowHeight * static_cast<int>(surface::kNanometres);
+  const int deep = std::max(-surface.top(j, i), 0) / kDepthUnit;
+  return {
+      slope_byte(along, std::max(above - below, 1) * kRow),
+      slope_byte(round, 2 * std::max(surface.row(j).width, 1)),
+      static_cast<std::uint8_t>(std::min(deep, 255)),
+      static_cast<std::uint8_t>(glazed_ ? surface.glaze(j, i) : kPolish * surface.burnish(j, i))};
+}
+
+void CoatPicture::draw_tile(const surface::Surface& surface, int down, int across) {
+  bool glaze = false;
+  for (int j = down * kTileRows; j < std::min((down + 1) * kTileRows, rows_); ++j)
+    for (int i = across * kTileColumns; i < (across + 1) * kTileColumns; ++i) {
+      const Cover over = cover(surface, j, i);
+      const std::size_t at = static_cast<std::size_t>(j) * static_cast<std::size_t>(kSectors) +
+                             static_cast<std::size_t>(i);
+      Texel& paint = paint_[at];
+      for (std::size_t k = 0; k < 3; ++k) paint[k] = byte(255.0f * std::sqrt(over.light[k]) + 0.5f);
+      paint[3] = byte(255.0f * over.share + 0.5f);
+      form_[at] = form_at(surface, j, i);
+      glaze = glaze || surface.glaze(j, i) > 0;
+    }
+  has_glaze_[static_cast<std::size_t>(down * tiles_across() + across)] = glaze;
+}
+
+}  // namespace onggi::decoration

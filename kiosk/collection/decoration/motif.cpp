@@ -1,0 +1,84 @@
+#include "kiosk/collection/decoration/motif.h"
+
+#include <cstddef>
+#include <string>
+
+namespace onggi::decoration {
+
+namespace {
+
+constexpr int kLinks = 8;
+constexpr std::size_t kMostPoints = 500;
+
+/// The way's direction at point n: along its neighbours, and nowhere at a corner or an end.
+Vec2 tangent(const std::vector<toml::OutlinePoint>& points, std::size_t n, bool closed) {
+  const std::size_t count = points.size();
+  const bool end = !closed && (n == 0 || n + 1 == count);
+  if (end || points[n].corner) return {};
+  const toml::OutlinePoint &before = points[(n + count - 1) % count],
+                           &next = points[(n + 1) % count];
+  return 0.5 * Vec2{next.radius - before.radius, next.height - before.height};
+}
+
+std::vector<std::vector<Vec2>> read_ways(toml::TomlReader::Table& motif, const char* name,
+                                         bool closed) {
+  std::vector<std::vector<Vec2>> ways;
+  for (toml::TomlReader::Table& table : motif.children(name)) {
+    std::vector<toml::OutlinePoint> points;
+    bool round = true;
+    table.require("points", "Give its points: points = [[-0.5, 0], [0, 0.5], [0.5, 0]].");
+    table.boolean("smooth", round);
+    if (table.points("points", points)) {
+      const std::size_t least = closed ? 3 : 2;
+      if (points.size() < least || points.size() > kMostPoints) {
+        table.complain("points",
+                       "it has " + std::to_string(points.size()) + " points, but needs " +
+                           std::to_string(least) + " to " + std::to_string(kMostPoints) + ".",
+                       "Give more points, or fewer.");
+      } else {
+        for (toml::OutlinePoint& p : points) p.corner = p.corner || !round;
+        ways.push_back(smooth(points, closed));
+      }
+    }
+    table.finish();
+  }
+  return ways;
+}
+
+}  // namespace
+
+Motif read_motif(toml::TomlReader::Table& table, const std::string& id) {
+  Motif motif;
+  motif.fills = read_ways(table, "fill", true);
+  motif.lines = read_ways(table, "line", false);
+  if (table.children("fill").empty() && table.children("line").empty())
+    table.complain(
+        "", "the motif \"" + id + "\" has nothing to draw.",
+        "Give it an area, [[motif." + id + ".fill]], or a line, [[motif." + id + ".line]].");
+  return motif;
+}
+
+void read_length(toml::TomlReader::Table& table, const std::string& key, double unit, double low,
+                 double high, double& out) {
+  double value = 0.0;
+  if (table.number(key, value, low, high, unit == 1e-6 ? "um" : "mm")) out = unit * value;
+}
+
+std::vector<Vec2> smooth(const std::vector<toml::OutlinePoint>& points, bool closed) {
+  std::vector<Vec2> out;
+  const std::size_t count = points.size(), pieces = closed ? count : count - 1;
+  for (std::size_t n = 0; n < pieces; ++n) {
+    const std::size_t next = (n + 1) % count;
+    const Vec2 a{points[n].radius, points[n].height}, b{points[next].radius, points[next].height};
+    const Vec2 from = tangent(points, n, closed), to = tangent(points, next, closed);
+    for (int k = 0; k < kLinks; ++k) {
+      const double t = static_cast<double>(k) / kLinks, u = 1.0 - t;
+      out.push_back((1.0 + 2.0 * t) * u * u * a + t * u * u * from + t * t * (3.0 - 2.0 * t) * b -
+                    t * t * u * to);
+    }
+  }
+  if (!closed) out.push_back({points.back().radius, points.back().height});
+  return out;
+}
+
+}  // namespace onggi::decoration

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/math/vec.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace onggi::decoration {
+
+/// A figure that is set on a pot. x: to the right as seen from outside, y: up; 1 is the figure's
+/// height as a step sets it (size_mm). Its middle is (0, 0).
+struct Motif {
+  std::vector<std::vector<Vec2>> fills;  ///< Corners of areas, each painted whole.
+  std::vector<std::vector<Vec2>> lines;  ///< Ways of a brush or a cutting tool.
+};
+
+/// Reads the table [motif.ID]: its areas and lines. Notes what is wrong, and leaves that out.
+Motif read_motif(toml::TomlReader::Table& table, const std::string& id);
+
+/// A length in `unit`s of m, 1e-3 or 1e-6, under `key`; `low` and `high` are in that unit, too.
+void read_length(toml::TomlReader::Table& table, const std::string& key, double unit, double low,
+                 double high, double& out);
+
+/// A way through `points` that is smooth but at corners (Catmull and Rom 1974), eight links from
+/// each point to the next; `closed`: from the last back to the first. Allocates.
+std::vector<Vec2> smooth(const std::vector<toml::OutlinePoint>& points, bool closed);
+
+}  // namespace onggi::decoration

@@ -1,0 +1,115 @@
+#include "kiosk/collection/decoration/way.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace onggi::decoration {
+namespace {
+
+const std::vector<std::string> kLanguages{"en", "ko", "es", "fr", "de", "ja", "zh", "ar"};
+
+WayRead read(const std::string& text) {
+  const std::string file = testing::TempDir() + "trial.toml";
+  std::ofstream(file) << text;
+  return read_way(file, {"en"});
+}
+
+constexpr const char* kHead =
+    "sources = \"a book\"\nsimplified = \"nothing\"\nname = { en = \"Way\" }\n"
+    "about = { en = \"Do it.\" }\n"
+    "[pigment.white]\ncolor = \"#FFFFFF\"\nraw = \"#000000\"\nhides_um = 50\nname.en = \"White\"\n"
+    "[pigment.red]\ncolor = \"#FF0000\"\nname.en = \"Red\"\n"
+    "[[motif.leaf.line]]\npoints = [[0, -0.5], [0, 0.5]]\n[motif.leaf.name]\nen = \"Leaf\"\n";
+
+std::string tool(const std::string& keys) {
+  return "[[tool]]\n" + keys +
+         "name = { en = \"Tool\" }\nhow = { en = \"So.\" }\ndid = { en = \"done\" }\n";
+}
+
+TEST(Way, HasItsToolsWithTheirLaws) {
+  const WayRead found = read(
+      kHead +
+      tool("id = \"band\"\nlaw = \"brush\"\nhand = \"ring\"\nwith = [\"red\", \"white\"]\n"
+           "width_mm = 5\nthickness_um = 90\n") +
+      tool("id = \"leaf\"\nlaw = \"cut\"\nhand = \"figure\"\nmotifs = [\"leaf\"]\n"
+           "section = \"flat\"\ndepth_mm = 0.6\nsize_mm = 25\nrepeats = 5\nneeds = \"band\"\n") +
+      tool("id = \"glaze\"\nlaw = \"dip\"\nhand = \"all\"\n"));
+  ASSERT_TRUE(found.problems.empty()) << to_text(found.problems[0]);
+  const Way& way = found.way;
+  EXPECT_EQ(way.id, "trial");
+  ASSERT_EQ(way.tools.size(), 3u);
+  const auto& brush = std::get<surface::BrushDef>(way.tools[0].law);
+  EXPECT_EQ(way.tools[0].pigments, (std::vector<int>{1, 0}));
+  EXPECT_EQ(brush.pigment, 1);
+  EXPECT_DOUBLE_EQ(brush.width, 0.005);
+  EXPECT_DOUBLE_EQ(brush.thickness, 9e-5);
+  const auto& cut = std::get<surface::CutDef>(way.tools[1].law);
+  EXPECT_EQ(cut.section, surface::CutDef::flat);
+  EXPECT_DOUBLE_EQ(cut.depth, 6e-4);
+  EXPECT_EQ(way.tools[1].needs, 0);
+  EXPECT_EQ(way.tools[1].repeats, 5);
+  EXPECT_EQ(std::get<surface::DipDef>(way.tools[2].law).coat, surface::DipDef::kGlaze);
+  EXPECT_EQ(way.palette.pigments[0].raw[0], 0.0f);
+  EXPECT_EQ(way.palette.pigments[1].raw, way.palette.pigments[1].fired);
+}
+
+TEST(Way, EachFaultHasItsLineAndARemedy) {
+  const auto fault = [](const std::string& more) {
+    const WayRead found = read(kHead + more);
+    EXPECT_EQ(found.problems.size(), 1u) << more;
+    if (found.problems.empty()) return std::string();
+    EXPECT_NE(found.problems[0].where.find("trial.toml:"), std::string::npos);
+    EXPECT_FALSE(found.problems[0].remedy.empty());
+    return found.problems[0].what;
+  };
+  const std::string good = tool("id = \"a\"\nlaw = \"scrape\"\nhand = \"ring\"\n");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"brush\"\nhand = \"ring\"\nwith = [\"blue\"]\n")),
+            "there is no pigment \"blue\".");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"smoke\"\nhand = \"ring\"\n")),
+            "a tool of this law cannot be led by \"ring\".");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"weave\"\nhand = \"ring\"\n")),
+            "There is no law \"weave\".");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"wipe\"\nhand = \"line\"\nneeds = \"dip\"\n")),
+            "no tool before this one is called \"dip\".");
+  EXPECT_EQ(fault(good + tool("id = \"a\"\nlaw = \"wipe\"\nhand = \"line\"\n")),
+            "there are two tools \"a\".");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"line\"\nrepeats = 7\n")),
+            "repeats is not 5, 8, 10 or 12.");
+  EXPECT_EQ(fault(""), "the way has no tool.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"figure\"\nmotifs = []\n")),
+            "the tool names no motif.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"brush\"\nhand = \"line\"\nwith = []\n")),
+            "the tool names no pigment.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nhand = \"line\"\nwidth_mm = 3\n")),
+            "tool[1].law is missing.");
+  EXPECT_EQ(fault(good + "[[motif.far.line]]\npoints = [[0, 0], [0, 1.2]]\n"
+                         "[motif.far.name]\nen = \"Far\"\n"),
+            "the figure \"far\" has a point more than 1 from its middle.");
+}
+
+TEST(Way, ATextThatALanguageLacksIsNamed) {
+  std::ofstream(testing::TempDir() + "trial.toml")
+      << kHead << tool("id = \"a\"\nlaw = \"scrape\"\nhand = \"ring\"\n");
+  const WayRead found = read_way(testing::TempDir() + "trial.toml", {"en", "de"});
+  EXPECT_EQ(found.problems.size(), 8u);
+  EXPECT_NE(found.problems[0].what.find("\"de\""), std::string::npos);
+}
+
+// Repeats of less than five are a visitor's free strokes, which others must not see.
+TEST(Way, ThatComesWithOnggiIsGoodInEveryLanguageAndNothingInItStandsAlone) {
+  int ways = 0;
+  for (const auto& file : std::filesystem::directory_iterator("content/ways")) {
+    const WayRead found = read_way(file.path(), kLanguages);
+    EXPECT_TRUE(found.problems.empty()) << to_text(found.problems[0]);
+    for (const WayTool& tool : found.way.tools) EXPECT_GE(tool.repeats, 5) << tool.id;
+    ++ways;
+  }
+  EXPECT_GE(ways, 11);
+  for (const int repeats : kRepeats) EXPECT_GE(repeats, 5);
+}
+
+}  // namespace
+}  // namespace onggi::decoration
