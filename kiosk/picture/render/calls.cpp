@@ -86,11 +86,11 @@ void texture_image(GLint level, GLint internal, int width, int height, GLenum fo
 }
 
 void texture_part(int x, int y, int width, int height, GLenum format, GLenum type,
-                  const void* pixels, int row_length) {
+                  const void* pixels, int row_length, int level) {
   work.bytes += area(width, height) * texel_bytes(format, type);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, row_length);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, format, type, pixels);
+  glTexSubImage2D(GL_TEXTURE_2D, level, x, y, width, height, format, type, pixels);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 

@@ -30,12 +30,12 @@ void draw_elements_times(GLenum mode, GLsizei count, GLenum type, GLsizei times)
 /// `data` null: allocates without uploading.
 void buffer_data(GLenum target, std::size_t bytes, const void* data, GLenum usage);
 void buffer_part(GLenum target, std::size_t offset, std::size_t bytes, const void* data);
-/// For the current texture. `pixels` null: allocates without uploading. Rows are `row_length`
-/// pixels apart, 0: without gaps.
+/// For the current texture, of its mipmap level `level`. `pixels` null: allocates without
+/// uploading. Rows are `row_length` pixels apart, 0: without gaps.
 void texture_image(GLint level, GLint internal, int width, int height, GLenum format, GLenum type,
                    const void* pixels);
 void texture_part(int x, int y, int width, int height, GLenum format, GLenum type,
-                  const void* pixels, int row_length = 0);
+                  const void* pixels, int row_length = 0, int level = 0);
 
 /// Allocates a multisampled texture, for the current one.
 void texture_samples(int samples, GLint internal, int width, int height);

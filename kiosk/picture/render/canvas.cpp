@@ -200,7 +200,7 @@ void Canvas::compose(GLuint framebuffer, const Painters& with) {
   if (pot) {
     const auto opacity = static_cast<float>(std::clamp(frame_.pot->opacity, 0.0, 1.0));
     with.stage.backdrop().lay(space_, ground.color(), box, opacity, width, height);
-    if (samples_ == 0) with.stage.draw_edges(space_, ground.color(), opacity, width, height);
+    if (samples_ == 0) with.stage.draw_edges(*frame_.pot, space_, ground.color(), width, height);
   }
   with.items.draw(frame_.items, with.pictures, width, height);
   if (frame_.fade > 0 && has_before_)

@@ -6,7 +6,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr std::size_t kDry = 0, kWet = 1, kGlazed = 2, kFiring = 3;
 constexpr std::size_t kMostRows = 256;
 
 // Display colours of LOOK.md, as linear light.

@@ -12,7 +12,8 @@ namespace onggi::render {
 /// a pot without water or glaze does not pay for them.
 class ClaySkin {
  public:
-  static constexpr std::size_t kSkins = 4;  ///< SKIN in clay.glsl.
+  /// SKIN in clay.glsl.
+  static constexpr std::size_t kDry = 0, kWet = 1, kGlazed = 2, kFiring = 3, kSkins = 4;
 
   static std::size_t of(const view::PotView& pot);
   /// Call before a pot is drawn: uploads the wetness of its rows, if it has any.

@@ -19,8 +19,8 @@ class Edges {
 
   /// Finds and uploads the outlines for a picture that is `scale` times the camera's size. Binds
   /// the target of the lip's strip, for draw_lip() with the program of the lip in clay.glsl.
-  void prepare(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip,
-               double scale);
+  void prepare(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
+               const glm::mat4& clip, double scale);
   void draw_lip() const { lip_.draw(); }
   /// Draws them into the bound target, which shows `space` over `ground` and is a whole frame.
   void draw(const Target& space, const Texture& ground, float opacity, int width, int height);

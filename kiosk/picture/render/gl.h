@@ -67,6 +67,7 @@ class Program {
   /// `parts` are joined in order for both stages. Problem: the compiler's log, exit code 1.
   static Result<Program> create(const std::string& name, std::initializer_list<const char*> parts);
   void use() const { calls::use_program(name_.get()); }
+  explicit operator bool() const { return static_cast<bool>(name_); }
   void set(const char* uniform, int value) const { glUniform1i(at(uniform), value); }
   void set(const char* uniform, float value) const { glUniform1f(at(uniform), value); }
   void set(const char* uniform, glm::vec2 v) const { glUniform2f(at(uniform), v.x, v.y); }

@@ -1,6 +1,7 @@
 #include "kiosk/picture/render/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/ext/scalar_constants.hpp>
 #include <optional>
@@ -23,8 +24,10 @@ constexpr float kCorner = 1.0f;   // texels: less room in the mouth is none
 
 class Tracer {
  public:
-  Tracer(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip, float texel)
+  Tracer(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
+         const glm::mat4& clip, float texel)
       : clay_(clay),
+        wall_(wall),
         pot_(pot),
         clip_(clip),
         frame_(pot.camera.width, pot.camera.height),
@@ -47,12 +50,12 @@ class Tracer {
   Ribbons trace() {
     if (pot_.wheel) wheel_head();
     if (!clay_.empty() && height_ > 0.0f) {
-      side(-1.0f);
-      side(1.0f);
+      sides();
       foot();
       lip();
       if (open_ > 0.001f) section();
     }
+    farthest_first();
     return std::move(out_);
   }
 
@@ -89,22 +92,25 @@ class Tracer {
   }
   /// The cut-away has no clay there.
   bool left_out(float turned) const { return turned < 0.0f && turned > -open_; }
-  void outline(const std::vector<EdgePoint>& line, bool level = false) {
-    add_ribbon(out_.corners, out_.outlines, line, texel_, level);
+  void outline(const std::vector<EdgePoint>& line) {
+    add_ribbon(out_.corners, out_.outlines, line, texel_);
   }
   void crease(std::vector<EdgePoint>& line) {
     for (EdgePoint& p : line)
       p.depths = {std::min(beside_, p.most_out), std::min(beside_, p.most_in), p.depths.x};
-    add_ribbon(out_.corners, out_.creases, line, texel_, false);
+    add_ribbon(out_.corners, out_.creases, line, texel_);
   }
 
   void wheel_head();
-  void side(float sign);
+  void farthest_first();
+  void sides();
+  void side_along(const std::vector<std::optional<EdgePoint>>& lines, bool left);
   void foot();
   void lip();
   void section();
 
   const ClaySurface& clay_;
+  const WallMesh wall_;
   const view::PotView& pot_;
   const glm::mat4 clip_;
   const glm::vec2 frame_;
@@ -155,58 +161,111 @@ void Tracer::wheel_head() {
   outline(far_side);
 }
 
-// Where the wall turns away from the eye, row by row, and of all that the outermost on each line of
-// the picture: the bulges between grooves hide the rest. The angle grows to the visitor's left.
-void Tracer::side(float sign) {
-  const glm::vec2 low = clay_at(0.5f * kPi, outer(0.5f * kPi, 0.0f), 0.0f).at;
-  const glm::vec2 high = clay_at(0.5f * kPi, outer(0.5f * kPi, shoulder_), shoulder_).at;
-  const int rows = std::clamp(static_cast<int>(glm::length(high - low)), 16, 600);
-  const float step = shoulder_ / static_cast<float>(rows);
-  std::vector<std::optional<EdgePoint>> lines(static_cast<std::size_t>(frame_.y));
-  const auto along = [&](const EdgePoint& one, const EdgePoint& other) {
-    const EdgePoint& a = one.at.y < other.at.y ? one : other;
-    const EdgePoint& b = one.at.y < other.at.y ? other : one;
-    const auto top = static_cast<int>(frame_.y) - 1;
+// Where an edge ends at a nearer one, the nearer one's ribbon is the true one.
+void Tracer::farthest_first() {
+  constexpr std::size_t kQuad = 6;
+  std::vector<std::array<std::uint32_t, kQuad>> quads(out_.outlines.size() / kQuad);
+  for (std::size_t i = 0; i < quads.size(); ++i)
+    std::copy_n(&out_.outlines[kQuad * i], kQuad, quads[i].begin());
+  std::stable_sort(quads.begin(), quads.end(), [&](const auto& a, const auto& b) {
+    return out_.corners[a[0]].depths.x > out_.corners[b[0]].depths.x;
+  });
+  for (std::size_t i = 0; i < quads.size(); ++i)
+    std::copy_n(quads[i].begin(), kQuad, &out_.outlines[kQuad * i]);
+}
+
+// The outermost of the drawn mesh on each line of the picture. Its corners, not the clay's rows,
+// say where that is: a row that is out of round or nearly level has no one place where it turns
+// away.
+void Tracer::sides() {
+  struct Corner {
+    EdgePoint point;
+    glm::vec3 wall;  // angle from the front, height and radius
+    bool is_end;     // of the part of the circle that is drawn
+  };
+  const auto across = static_cast<std::size_t>(wall_.columns) + 1;
+  std::vector<Corner> corners;
+  corners.reserve(across * (static_cast<std::size_t>(wall_.rows) + 1));
+  // What the ribbon covers of the wall is that much nearer than its side.
+  const float wide = 1.5f * texel_ * away_ * size_ / pixels_;
+  for (int j = 0; j <= wall_.rows; ++j)
+    for (int i = 0; i <= wall_.columns; ++i) {
+      const float turned = wall_.from - front_ +
+                           wall_.span * static_cast<float>(i) / static_cast<float>(wall_.columns);
+      const float top = inner(turned, height_), thick = outer(turned, height_) - top;
+      const float deep =
+          std::min(static_cast<float>(kLipRadius), top > 0.0f ? 0.5f * thick : thick);
+      const float y = (height_ - deep) * static_cast<float>(j) / static_cast<float>(wall_.rows);
+      const float r = outer(turned, y);
+      corners.push_back({clay_at(turned, r, y, kHides + std::sqrt(2.0f * r * size_ * wide)),
+                         {turned, y, r},
+                         i == 0 || i == wall_.columns});
+    }
+
+  struct Most {
+    EdgePoint point;
+    glm::vec3 wall{0.0f};
+    bool is_side = false;  // not the lip's, the foot's or the opening's edge
+    bool any = false;
+  };
+  std::array<std::vector<Most>, 2> lines;  // to the visitor's left and right
+  for (auto& each : lines) each.resize(static_cast<std::size_t>(frame_.y));
+  const auto top = static_cast<int>(frame_.y) - 1;
+  const auto along = [&](const Corner& one, const Corner& other, bool is_side) {
+    const bool up = one.point.at.y < other.point.at.y;
+    const EdgePoint &a = up ? one.point : other.point, &b = up ? other.point : one.point;
     const int from = std::max(static_cast<int>(std::ceil(a.at.y - 0.5f)), 0),
               to = std::min(static_cast<int>(std::floor(b.at.y - 0.5f)), top);
     for (int line = from; line <= to; ++line) {
       const float t = (static_cast<float>(line) + 0.5f - a.at.y) / std::max(b.at.y - a.at.y, 1e-6f);
-      const EdgePoint p{glm::mix(a.at, b.at, t), glm::mix(a.depths, b.depths, t)};
-      std::optional<EdgePoint>& most = lines[static_cast<std::size_t>(line)];
-      if (!most || sign * (most->at.x - p.at.x) > 0.0f) most = p;
+      const float x = std::lerp(a.at.x, b.at.x, t);
+      for (const std::size_t side : {0u, 1u}) {
+        Most& most = lines[side][static_cast<std::size_t>(line)];
+        if (most.any && (side == 0 ? x >= most.point.at.x : x <= most.point.at.x)) continue;
+        most = {{{x, static_cast<float>(line) + 0.5f}, glm::mix(a.depths, b.depths, t)},
+                glm::mix(up ? one.wall : other.wall, up ? other.wall : one.wall, t),
+                is_side && !(one.is_end && other.is_end),
+                true};
+      }
     }
   };
-  // Rows that face the eye all round have no side, nor have those that it does not see. The side
-  // ends between such a row and the next.
-  struct Side {
-    EdgePoint at;
-    bool is = false;
-  };
-  Side last;
-  float turned = sign * 0.45f * kPi;
-  for (int k = 0; k <= rows; ++k) {
-    const float y = step * static_cast<float>(k);
-    const float below = std::max(y - step, 0.0f), above = std::min(y + step, shoulder_);
-    Side here;
-    for (int times = 0; times < 2; ++times) {
-      const float r = outer(turned, y);
-      const float slope = (outer(turned, above) - outer(turned, below)) / (above - below);
-      const float cosine = (r + slope * (eye_y_ - y)) / away_;
-      here.is = std::abs(cosine) < 1.0f;
-      turned = sign * std::acos(std::clamp(cosine, -1.0f, 1.0f));
+  for (std::size_t j = 0; j <= static_cast<std::size_t>(wall_.rows); ++j)
+    for (std::size_t i = 0; i < across; ++i) {
+      const std::size_t at = j * across + i;
+      const bool level_side = j > 0 && j < static_cast<std::size_t>(wall_.rows);
+      const bool has_next = i + 1 < across, has_above = j < static_cast<std::size_t>(wall_.rows);
+      if (has_next) along(corners[at], corners[at + 1], level_side);
+      if (has_above) along(corners[at], corners[at + across], true);
+      if (has_next && has_above) along(corners[at], corners[at + across + 1], true);
     }
-    // What the ribbon covers of the wall is that much nearer than its side.
-    const float r = outer(turned, y), wide = 1.5f * texel_ * away_ * size_ / pixels_;
-    here.at = clay_at(turned, r, y, kHides + std::sqrt(2.0f * r * size_ * wide));
-    const bool gone = left_out(turned);
-    if (gone) here.is = false;
-    if (k > 0 && !gone && (here.is || last.is)) along(here.at, last.at);
-    last = here;
+
+  for (const std::size_t side : {0u, 1u}) {
+    std::vector<std::optional<EdgePoint>> edge;
+    for (Most& most : lines[side]) {
+      // Between its corners the mesh lacks the clay's finer grooves. Where the two are far apart,
+      // such as in a step, the mesh is what is seen.
+      const float more = (outer(most.wall.x, most.wall.y) - most.wall.z) * pixels_ / away_;
+      if (std::abs(more) < 0.5f * texel_) most.point.at.x += side == 0 ? -more : more;
+      edge.push_back(most.is_side ? std::optional(most.point) : std::nullopt);
+    }
+    // Where it leaps, what is level there is of the nearer or of the farther part.
+    for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+      if (!edge[i] || !edge[i + 1]) continue;
+      glm::vec3 &one = edge[i]->depths, &next = edge[i + 1]->depths;
+      if (std::abs(edge[i]->at.x - edge[i + 1]->at.x) <= kLeap) continue;
+      one.x = next.x = std::min(one.x, next.x);
+      one.y = next.y = std::max(one.y, next.y);
+    }
+    side_along(edge, side == 0);
   }
+}
+
+// A side of the wall, a point on each line of the picture.
+void Tracer::side_along(const std::vector<std::optional<EdgePoint>>& lines, bool left) {
   std::vector<EdgePoint> edge;
   const auto end = [&] {
-    if (sign > 0.0f) std::reverse(edge.begin(), edge.end());
-    outline(edge, true);
+    if (left) std::reverse(edge.begin(), edge.end());
+    outline(edge);
     edge.clear();
   };
   // Where another bulge begins to be the outermost, the edge leaps between two lines.
@@ -325,13 +384,17 @@ void Tracer::lip() {
 
 // Where the opening ends: the wall that is left, the floor, and the wall's section.
 void Tracer::section() {
-  constexpr int kSteps = 160;
   std::vector<EdgePoint> near, far, floor;
-  for (int i = 0; i <= kSteps; ++i) {
-    const float share = static_cast<float>(i) / kSteps, y = shoulder_ * share;
+  const auto add = [&](float y) {
     near.push_back(clay_at(0.0f, outer(0.0f, y), y));
     far.push_back(clay_at(-open_, outer(-open_, y), y));
-  }
+  };
+  // The rows of the drawn section: between them it has no finer edge.
+  const float on_floor = std::min(static_cast<float>(clay_.floor_top()), shoulder_);
+  for (const float share : {0.0f, 0.5f}) add(share * on_floor);
+  for (int i = 0; i <= wall_.section_rows; ++i)
+    add(std::lerp(on_floor, shoulder_,
+                  static_cast<float>(i) / static_cast<float>(wall_.section_rows)));
   for (const float share : {1.0f, 0.5f, 0.0f})
     floor.push_back(clay_at(0.0f, share * outer(0.0f, 0.0f), 0.0f));
   for (const float share : {0.5f, 1.0f})
@@ -339,13 +402,31 @@ void Tracer::section() {
   outline(near);
   outline(floor);
   outline(far);
+
+  // Where the section meets the inside, from the lip down and along the floor to the axis.
+  std::vector<EdgePoint> within;
+  for (int i = wall_.section_rows; i >= 0; --i) {
+    const float y = std::lerp(on_floor, shoulder_,
+                              static_cast<float>(i) / static_cast<float>(wall_.section_rows));
+    if (inner(-open_, y) <= 0.0f) continue;
+    within.push_back(clay_at(-open_, inner(-open_, y), y));
+    // Its colour comes from the middle of the wall.
+    const glm::vec2 outside = clay_at(-open_, outer(-open_, y), y).at;
+    within.back().most_in = 0.5f * glm::length(outside - within.back().at);
+  }
+  if (!within.empty()) {
+    const glm::vec2 below = clay_at(-open_, 0.0f, 0.0f).at;
+    within.push_back(clay_at(-open_, 0.0f, on_floor));
+    within.back().most_in = 0.5f * glm::length(below - within.back().at);
+  }
+  crease(within);
 }
 
 }  // namespace
 
-Ribbons outline_of(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip,
-                   float texel) {
-  return Tracer(clay, pot, clip, texel).trace();
+Ribbons outline_of(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
+                   const glm::mat4& clip, float texel) {
+  return Tracer(clay, wall, pot, clip, texel).trace();
 }
 
 }  // namespace onggi::render

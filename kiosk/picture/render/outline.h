@@ -30,9 +30,16 @@ struct Ribbons {
   glm::mat3 disc{0};
 };
 
-/// The edges of clay and wheel head as ribbons, from the clay's own rows. `texel`: pixels of the
-/// frame in one of the picture. Hidden edges are among them: the picture's depth hides them.
-Ribbons outline_of(const ClaySurface& clay, const view::PotView& pot, const glm::mat4& clip,
-                   float texel);
+/// The mesh of the outer wall as the picture draws it, from the foot to the lip.
+struct WallMesh {
+  int columns = 0, rows = 0;
+  int section_rows = 0;      ///< Of the wall's section, from the floor to the lip.
+  float from = 0, span = 0;  ///< Angles in the studio, rad.
+};
+
+/// The edges of clay and wheel head as ribbons. `texel`: pixels of the frame in one of the picture.
+/// Hidden edges are among them: the picture's depth hides them.
+Ribbons outline_of(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
+                   const glm::mat4& clip, float texel);
 
 }  // namespace onggi::render

@@ -72,10 +72,15 @@ class GlRenderer final : public Renderer {
   std::vector<view::InputEvent> poll() override { return window_->poll(); }
   void sleep(bool on) override { window_->sleep(on); }
   int fingers() const override { return window_->fingers(); }
-  std::vector<std::string> remarks() override { return window_->remarks(); }
+  std::vector<std::string> remarks() override {
+    std::vector<std::string> lines = window_->remarks();
+    for (std::string& line : stage_->remarks()) lines.push_back(std::move(line));
+    return lines;
+  }
 
   void show_clay(const ClayView& clay) override { stage_->clay().show(clay); }
   void update_clay(const ClayView& clay) override { stage_->clay().update(clay); }
+  void show_decoration(const decoration::CoatPicture* coat) override { stage_->coat().show(coat); }
 
   void show_vessel(const TriangleMesh& mesh, std::array<float, 3> color,
                    const content::Coloring& coloring, double size) override {
@@ -188,6 +193,7 @@ class GlRenderer final : public Renderer {
   Clock::duration frame_slot_{};
   double drew_ms_ = 0, mean_ms_ = 0;
   std::optional<view::Frame> drawn_;  ///< The canvas' content; its pot as last drawn.
+  std::uint64_t drawn_coat_ = 0;      ///< CoatTexture::change() then.
   bool changed_ = true;               ///< The last draw() changed something.
   bool timed_ = true;                 ///< It drew the 3-D picture; pacing needs to know.
 };
@@ -198,7 +204,7 @@ void GlRenderer::draw(const view::Frame& frame) {
     pacing_ = pacing_for(software_, frame.width, frame.height);
   const bool still =
       drawn_ && drawn_->width == frame.width && drawn_->height == frame.height &&
-      drawn_->screen_serial == frame.screen_serial &&
+      drawn_->screen_serial == frame.screen_serial && drawn_coat_ == stage_->coat().change() &&
       drawn_->pot.has_value() == frame.pot.has_value() &&
       (!frame.pot || (!stage_->clay().changed() && view::looks_same(*drawn_->pot, *frame.pot)));
   if (!still) moved_ = started_;
@@ -222,6 +228,7 @@ void GlRenderer::draw(const view::Frame& frame) {
   std::optional<view::PotView> pot = still ? std::move(drawn_->pot) : frame.pot;
   drawn_ = frame;
   drawn_->pot = std::move(pot);
+  drawn_coat_ = stage_->coat().change();
 }
 
 void GlRenderer::present() {

@@ -12,6 +12,7 @@
 #include "engine/clay/clay_view.h"
 #include "engine/profile/mesh.h"
 #include "kiosk/collection/content/coloring.h"
+#include "kiosk/collection/decoration/coat_picture.h"
 #include "kiosk/picture/render/frame_work.h"
 #include "kiosk/picture/view/frame.h"
 #include "kiosk/picture/view/image.h"
@@ -68,6 +69,9 @@ class Renderer {
   virtual void show_clay(const ClayView& clay) = 0;
   /// Call once a frame: uploads its changes. The cost depends on the changed rows.
   virtual void update_clay(const ClayView& clay) = 0;
+  /// Call once a frame before draw(): the decoration of the clay that is shown; null: none. Uploads
+  /// the tiles that have changed. `coat` need only live during the call.
+  virtual void show_decoration(const decoration::CoatPicture* coat) = 0;
 
   /// Sets the vessel for view::PotView::beside: `mesh` about the y axis, its foot at 0, scaled by
   /// `size`, in linear `color`, or in its `coloring` if that is not empty.

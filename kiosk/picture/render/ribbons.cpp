@@ -9,7 +9,6 @@ namespace {
 constexpr float kStraight = 0.1f;       // pixels that a piece may lie beside its line
 constexpr float kLongestPiece = 48.0f;  // pixels of a piece
 constexpr float kOblique = 0.6f;        // least part of a normal along the axis of a ribbon's width
-constexpr float kLeastSteep = 0.05f;    // least such part of a level line
 constexpr float kSoft = 0.75f;          // pixels to both sides that cover part of a pixel
 
 /// To the right of `way`, of length 1 (0 if there is none).
@@ -43,29 +42,30 @@ void add_bend(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& indi
               const EdgePoint& at, glm::vec2 before, glm::vec2 after, float texel) {
   if ((std::abs(before.x) > std::abs(before.y)) == (std::abs(after.x) > std::abs(after.y))) return;
   const bool outside = before.x * after.y - before.y * after.x > 0.0f;
-  const float beyond = outside ? 1.0f : -1.0f, most = outside ? at.most_out : at.most_in;
-  const glm::vec2 way = std::min(texel, most) * beyond * glm::sign(before + after);
+  const float side = outside ? 1.0f : -1.0f, most = outside ? at.most_out : at.most_in;
+  const glm::vec2 way = std::min(texel, most) * side * glm::sign(before + after);
+  const glm::vec2 out = glm::normalize(before + after);
   const auto base = static_cast<std::uint32_t>(corners.size());
   for (const glm::vec2 share : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1, 1)})
-    corners.push_back({at.at + share * way, beyond, at.depths, at.strip});
+    corners.push_back({at.at + share * way, glm::dot(share * way, out), at.depths, at.strip});
   for (const std::uint32_t k : {0u, 1u, 2u, 2u, 1u, 3u}) indices.push_back(base + k);
 }
 
 }  // namespace
 
 void add_ribbon(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& indices,
-                const std::vector<EdgePoint>& line, float texel, bool level) {
+                const std::vector<EdgePoint>& line, float texel) {
   glm::vec2 last(0.0f);
   for (std::size_t i = 0; i + 1 < line.size();) {
     const std::size_t end = end_of_piece(line, i);
     const glm::vec2 normal = right_of(line[end].at - line[i].at);
-    if (i > 0 && !level) add_bend(corners, indices, line[i], last, normal, texel);
+    if (i > 0) add_bend(corners, indices, line[i], last, normal, texel);
     last = normal;
     const float wide = texel * (std::abs(normal.x) + std::abs(normal.y));
     for (const int axis : {0, 1}) {
-      if (level ? axis != 0 : std::abs(normal[axis]) < kOblique) continue;
+      if (std::abs(normal[axis]) < kOblique) continue;
       glm::vec2 out(0.0f);
-      out[axis] = 1.0f / std::copysign(std::max(std::abs(normal[axis]), kLeastSteep), normal[axis]);
+      out[axis] = 1.0f / normal[axis];
       const auto base = static_cast<std::uint32_t>(corners.size());
       for (const EdgePoint* p : {&line[i], &line[end]})
         for (const float beyond : {std::max(std::min(wide, p->most_out), kSoft),

@@ -27,9 +27,8 @@ struct EdgePoint {
 
 /// Adds a ribbon along `line`, which hides a texel of `texel` pixels wherever the edge runs through
 /// it. What is in front lies left of the way. Steep pieces are widened along x and flat ones along
-/// y, so that neighbours meet in a line; pieces that are neither are drawn in both ways. `level`:
-/// it has one point on each line of pixels, so all is widened along x.
+/// y, so that neighbours meet in a line; pieces that are neither are drawn in both ways.
 void add_ribbon(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& indices,
-                const std::vector<EdgePoint>& line, float texel, bool level);
+                const std::vector<EdgePoint>& line, float texel);
 
 }  // namespace onggi::render

@@ -1,14 +1,15 @@
 #include "kiosk/picture/render/skin_reader.h"
 
 #include <algorithm>
-#include <string>
+#include <array>
 
-#include "kiosk/picture/render/shaders.h"
+#include "kiosk/picture/render/gl.h"
 
 namespace onggi::render {
 namespace {
 
-constexpr int kReadWidth = 1024;  // texels
+constexpr int kReadWidth = 1024;   // texels
+constexpr std::size_t kParts = 4;  // of clay.glsl: outer wall, lip, inner wall, floor
 
 /// PART in clay.glsl. The foot is the lowest outer wall.
 std::size_t part_of(ClayFace face) {
@@ -44,22 +45,8 @@ struct ReadTarget {
 
 }  // namespace
 
-Result<std::unique_ptr<SkinReader>> SkinReader::create() {
-  std::unique_ptr<SkinReader> reader(new SkinReader);
-  for (const int skin : {0, 2})  // SKIN of clay.glsl
-    for (std::size_t part = 0; part < kParts; ++part) {
-      const std::string which = "#define READ\n#define PART " + std::to_string(part) +
-                                "\n#define SKIN " + std::to_string(skin) + "\n";
-      auto made = Program::create("clay's surface",
-                                  {which.c_str(), k_common_glsl, k_light_glsl, k_clay_glsl});
-      if (!made) return tl::unexpected(made.error());
-      reader->programs_[skin == 0 ? 0 : 1][part] = std::move(*made);
-    }
-  return reader;
-}
-
-std::vector<view::SkinPoint> SkinReader::read(
-    const ClayMesh& pot, bool fired, const std::function<void(const Program&)>& set_up) const {
+std::vector<view::SkinPoint> read_surface(const ClayMesh& pot,
+                                          const std::function<void(std::size_t part)>& use) {
   const std::size_t count = pot.faces.size();
   std::vector<view::SkinPoint> out(count);
   if (count == 0) return out;
@@ -83,9 +70,7 @@ std::vector<view::SkinPoint> SkinReader::read(
   for (std::size_t part = 0; part < kParts; ++part) {
     const Mesh points(places.data(), places.size(), of_part[part].data(), of_part[part].size(),
                       {3, 2}, Mesh::Of::points);
-    const Program& program = programs_[fired ? 1 : 0][part];
-    program.use();
-    set_up(program);
+    use(part);
     points.draw();
   }
   // Rows of four floats need no alignment.

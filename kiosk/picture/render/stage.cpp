@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kiosk/picture/render/shaders.h"
+#include "kiosk/picture/render/skin_reader.h"
 #include "kiosk/picture/render/stage_meshes.h"
 
 namespace onggi::render {
@@ -23,23 +24,23 @@ constexpr std::array<Wall, 4> kWalls{
     {{44, 48, 280.0f}, {60, 96, 580.0f}, {96, 192, 1200.0f}, {192, 400, 1e9f}}};
 // Equally fine meshes for the part of the circle that faces the eye, if that is at most kFacing.
 constexpr double kFacing = 0.6;
+// Less of the inside is visible, so it has the next coarser mesh.
+constexpr std::size_t inside_of(std::size_t wall) { return wall > 0 ? wall - 1 : 0; }
+constexpr float kBeforeSection = 0.003f, kInk = 0.0002f;  // m
 constexpr int facing_columns(int columns) { return static_cast<int>(kFacing * columns + 0.5); }
 constexpr Wall kMirrored{44, 16, 1e9f};
 constexpr double kMirroredHeight = 0.12;  // m
 // For the lip, by its radius in pixels: it is an outline all round, some pixels wide.
 constexpr std::array<Wall, 3> kLips{{{64, 6, 160.0f}, {96, 8, 370.0f}, {160, 12, 1e9f}}};
 // For the wall's section, by the pot's height.
-constexpr std::array<std::pair<int, float>, 2> kSections{{{96, 580.0f}, {192, 1e9f}}};
 // Size of a mesh position, like a pixel of a screen, m.
 constexpr float kReadPixel = 0.0005f;
 constexpr int kRim = 96;  // corners of the wheel head
 
 // Texture units.
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
-              kRowAt = 6, kWetRows = 7, kTornAt = 8, kOwnPicture = 9;
-
-// Parts of clay.glsl that can tear: outer wall, lip, inner wall, section.
-constexpr bool kTears[] = {true, true, true, false, true};
+              kRowAt = 6, kWetRows = 7, kTornAt = 8, kOwnPicture = 9, kAway = 10,
+              kCoat = 11;  // and two more
 
 glm::mat4 clip_of(const view::Camera& camera) {
   glm::mat4 view, projection;
@@ -62,6 +63,11 @@ float front_of(const view::Camera& camera) {
   return 0.5f * glm::pi<float>() - static_cast<float>(camera.azimuth);
 }
 
+// The angle of the cut-away.
+float opening_of(const view::PotView& pot) {
+  return 0.5f * glm::pi<float>() * static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
+}
+
 template <std::size_t N>
 std::size_t fine_enough(const std::array<Wall, N>& meshes, float pixels) {
   std::size_t size = 0;
@@ -82,38 +88,23 @@ Result<std::unique_ptr<Stage>> Stage::create() {
       fine = tl::unexpected(made.error());
     }
   };
-  const auto make = [&](Program& into, const char* name, const char* text, bool lit, int part,
-                        std::size_t skin, bool torn = false) {
-    if (!fine) return;
-    const std::string which = "#define PART " + std::to_string(part) + "\n#define SKIN " +
-                              std::to_string(skin) + (torn ? "\n#define TORN\n" : "\n");
-    keep(into, Program::create(name, {which.c_str(), k_common_glsl, lit ? k_light_glsl : "", text,
-                                      torn ? k_torn_glsl : ""}));
-  };
-  for (int part = 0; part < 5; ++part) {
-    const auto p = static_cast<std::size_t>(part);
-    for (std::size_t skin = 0; skin < stage->clay_programs_.size(); ++skin) {
-      make(stage->clay_programs_[skin][p], "clay", k_clay_glsl, true, part, skin);
-      if (kTears[part])
-        make(stage->torn_programs_[skin][p], "torn clay", k_clay_glsl, true, part, skin, true);
-    }
-  }
-  make(stage->wheel_program_, "wheel", k_wheel_glsl, true, 0, 0);
-  make(stage->solid_program_, "solid", k_solid_glsl, true, 0, 0);
+  keep(stage->clay_programs_, ClayPrograms::create());
+  keep(stage->wheel_program_,
+       Program::create("wheel", {k_common_glsl, k_light_glsl, k_wheel_glsl}));
+  keep(stage->solid_program_,
+       Program::create("solid", {k_common_glsl, k_light_glsl, k_solid_glsl}));
   keep(stage->tools_, ToolPainter::create());
   keep(stage->soft_edges_, SoftEdges::create());
   keep(stage->edges_, Edges::create());
-  keep(stage->skin_reader_, SkinReader::create());
   keep(stage->backdrop_, Backdrop::create());
   if (!fine) return tl::unexpected(fine.error());
   for (std::size_t i = 0; i < kWalls.size(); ++i) {
     stage->walls_[i] = unit_grid(kWalls[i].columns, kWalls[i].rows);
     stage->facing_[i] = unit_grid(facing_columns(kWalls[i].columns), kWalls[i].rows);
+    stage->sections_[i] = section_mesh(kWalls[i].rows);
   }
   for (std::size_t i = 0; i < kLips.size(); ++i)
     stage->lips_[i] = unit_grid(kLips[i].columns, kLips[i].rows);
-  for (std::size_t i = 0; i < kSections.size(); ++i)
-    stage->sections_[i] = section_mesh(kSections[i].first);
   stage->mirrored_ = unit_grid(kMirrored.columns, kMirrored.rows);
   stage->floor_ = unit_grid(48, 3);
   stage->wheel_ = wheel_head_mesh(kRim);
@@ -173,7 +164,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
     // The edges of a tear lie inside triangles, where only alpha can smooth them.
     const bool soft = clay_.tears().any() && quality.samples > 0;
     if (soft) soft_edges_.begin();
-    draw_clay(pot, clip, pixel, soft);
+    draw_clay(pot, clip, pixel, soft, quality.samples > 0);
     if (soft) soft_edges_.end();
   }
   // 2. The visible wheel head, and the pot mirrored in it.
@@ -205,11 +196,42 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
 
 void Stage::prepare_edges(const view::PotView& pot, double scale) {
   const glm::mat4 clip = clip_of(pot.camera);
-  edges_->prepare(clay_, pot, clip, scale);
+  WallMesh wall;
+  if (!clay_.empty()) {
+    const DrawnWall drawn = drawn_wall(pot, pixel_size(pot.camera, scale));
+    const Wall& mesh = kWalls[drawn.size];
+    wall = {drawn.facing ? facing_columns(mesh.columns) : mesh.columns, mesh.rows,
+            kWalls[inside_of(drawn.size)].rows, drawn.open_from + drawn.open_angle,
+            2.0f * glm::pi<float>() - drawn.open_angle};
+  }
+  edges_->prepare(clay_, wall, pot, clip, scale);
   if (clay_.empty()) return;
   // As fine as the frame.
   use_clay(1, pot, clip, pixel_size(pot.camera, 1.0)).set("unrolled", LipStrip::kUnrolled);
   edges_->draw_lip();
+}
+
+void Stage::draw_edges(const view::PotView& pot, const Target& space, const Texture& ground,
+                       int width, int height) {
+  const auto opacity = static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0));
+  edges_->draw(space, ground, opacity, width, height);
+  if (clay_.empty() || pot.cut_away <= 0.001) return;
+  const float pixel = pixel_size(pot.camera, 1.0);
+  const Program& program = use_clay(4, pot, clip_of(pot.camera), pixel);
+  program.set("soft_edges", 0.0f);
+  program.set("ink", kInk);
+  // A finger is nearer than the section by more than the depths within a texel.
+  float view[16], projection[16];
+  pot.camera.matrices(view, projection);
+  const auto metres = static_cast<float>(pot.camera.distance);
+  const float hides = -0.5f * kBeforeSection * projection[14] / (metres * metres);
+  program.set("onto", glm::vec4(width, height, hides, opacity));
+  space.depth().bind(kAway);
+  program.set("away", kAway);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  sections_[inside_of(drawn_wall(pot, pixel).size)].draw_times(2);
+  glDisable(GL_BLEND);
 }
 
 void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel) {
@@ -229,13 +251,13 @@ void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pi
   glFrontFace(GL_CCW);
 }
 
-const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::mat4& clip,
+const Program& Stage::use_clay(std::size_t part, const view::PotView& pot, const glm::mat4& clip,
                                float pixel) {
-  const bool torn = clay_.tears().any() && kTears[part];
-  const Program& program =
-      (torn ? torn_programs_ : clay_programs_)[ClaySkin::of(pot)][static_cast<std::size_t>(part)];
+  const bool torn = clay_.tears().any();
+  const Program& program = clay_programs_.of(
+      {.part = part, .skin = ClaySkin::of(pot), .torn = torn, .decorated = coat_.shown()});
   program.use();
-  if (torn) {
+  if (torn && ClayPrograms::tears(part)) {
     clay_.tears().texture().bind(kTornAt);
     program.set("torn_at", kTornAt);
     program.set("soft_edges", 0.0f);
@@ -246,7 +268,7 @@ const Program& Stage::use_clay(int part, const view::PotView& pot, const glm::ma
 
 void Stage::set_clay(const Program& program, const view::PotView& pot, const glm::mat4& clip,
                      float pixel) {
-  const auto open = static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
+  const float open = opening_of(pot);
   set_light(program, pot.camera, clay_levels_);
   // Compute everything at the thrown size. A shrunken pot is seen from farther away instead.
   const float size = size_of(pot);
@@ -268,16 +290,17 @@ void Stage::set_clay(const Program& program, const view::PotView& pot, const glm
   program.set("floor_height", static_cast<float>(clay_.floor_top()));
   program.set("clay_angle", static_cast<float>(pot.clay_angle));
   // The cut-away opens like a door with its hinge at the visitor's right, from the front.
-  program.set("open_from", front_of(pot.camera) - 0.5f * glm::pi<float>() * open);
-  program.set("open_angle", 0.5f * glm::pi<float>() * open);
+  program.set("open_from", front_of(pot.camera) - open);
+  program.set("open_angle", open);
   program.set("front", front_of(pot.camera));
-  program.set("opened", open);
+  program.set("opened", static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0)));
   program.set("mirrored", 0.0f);
   program.set("unrolled", glm::vec2(0.0f));
   program.set("share", 1.0f);
   program.set("pixel", pixel / size);
   program.set("wetness", static_cast<float>(pot.wetness));
   skin_.set(program, pot, kWetRows);
+  if (coat_.shown()) coat_.set(program, pixel / size, kCoat);
 }
 
 std::vector<view::SkinPoint> Stage::read_skin(const ClayMesh& mesh,
@@ -289,40 +312,50 @@ std::vector<view::SkinPoint> Stage::read_skin(const ClayMesh& mesh,
     pot.glazing = *glazing;
   }
   clay_.refresh(clay_levels_);
-  return skin_reader_->read(mesh, glazing.has_value(), [&](const Program& program) {
+  return read_surface(mesh, [&](std::size_t part) {
+    const Program& program = clay_programs_.of(
+        {.part = part, .skin = ClaySkin::of(pot), .decorated = coat_.shown(), .read = true});
+    program.use();
     set_clay(program, pot, glm::mat4(1.0f), kReadPixel);
   });
 }
 
-void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft) {
-  const auto tall = static_cast<float>(clay_.height()) / pixel;
-  const auto use = [&](int part) -> const Program& {
+Stage::DrawnWall Stage::drawn_wall(const view::PotView& pot, float pixel) const {
+  const Vec3 eye = (1.0 / static_cast<double>(size_of(pot))) * pot.camera.eye();
+  const std::size_t size = fine_enough(kWalls, static_cast<float>(clay_.height()) / pixel);
+  const float front = front_of(pot.camera);
+  if (pot.cut_away <= 0.001 && clay_.facing(eye) <= kFacing) {
+    // Skip parts that face away: the hidden gap of a cut-away.
+    const float gap = 2.0f * glm::pi<float>() * (1.0f - static_cast<float>(kFacing));
+    return {size, true, front + glm::pi<float>() - 0.5f * gap, gap};
+  }
+  const float open = opening_of(pot);
+  return {size, false, front - open, open};
+}
+
+void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft,
+                      bool whole_frame) {
+  const auto use = [&](std::size_t part) -> const Program& {
     const Program& program = use_clay(part, pot, clip, pixel);
     program.set("soft_edges", soft ? 1.0f : 0.0f);
     return program;
   };
   const Vec3 eye = (1.0 / static_cast<double>(size_of(pot))) * pot.camera.eye();
-  const std::size_t size = fine_enough(kWalls, tall);
+  const DrawnWall wall = drawn_wall(pot, pixel);
   const Program& outside = use(0);
-  if (pot.cut_away <= 0.001 && clay_.facing(eye) <= kFacing) {
-    // Skip parts that face away: the hidden gap of a cut-away.
-    const float gap = 2.0f * glm::pi<float>() * (1.0f - static_cast<float>(kFacing));
-    outside.set("open_from", front_of(pot.camera) + glm::pi<float>() - 0.5f * gap);
-    outside.set("open_angle", gap);
-    facing_[size].draw();
-  } else {
-    walls_[size].draw();
-  }
+  outside.set("open_from", wall.open_from);
+  outside.set("open_angle", wall.open_angle);
+  (wall.facing ? facing_ : walls_)[wall.size].draw();
   use(1);
   // The round edges of a thick wall are a small part of its top.
   const bool thick = clay_.rim_wall() > 4.0 * static_cast<double>(clay_.lip());
   const std::size_t round =
       thick ? kLips.size() - 1 : fine_enough(kLips, static_cast<float>(clay_.max_radius()) / pixel);
   lips_[round].draw();
-  // Less of the inside is visible, so use the next coarser mesh, down to the visible depth.
+  // The inside down to the visible depth.
   const bool whole = pot.cut_away <= 0.001 && !clay_.tears().any();
   const double deep = whole ? clay_.seen_into(eye) : 1.0;
-  const std::size_t coarse = size > 0 ? size - 1 : 0;
+  const std::size_t coarse = inside_of(wall.size);
   const Wall& inner = kWalls[coarse];
   const int rows = std::min(inner.rows, 1 + static_cast<int>(std::ceil(deep * inner.rows)));
   use(2);
@@ -333,8 +366,11 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
   }
   if (pot.cut_away <= 0.001) return;
   glDisable(GL_CULL_FACE);
-  use(4);
-  sections_[tall > kSections[0].second ? 1 : 0].draw_times(2);
+  const Program& section = use(4);
+  section.set("onto", glm::vec4(0.0f));
+  // A texel is too wide for the line: draw_edges() draws it.
+  section.set("ink", whole_frame ? kInk : 0.0f);
+  sections_[coarse].draw_times(2);
   glEnable(GL_CULL_FACE);
 }
 

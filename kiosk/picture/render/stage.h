@@ -2,20 +2,26 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/base/result.h"
+#include "engine/clay/clay_mesh.h"
 #include "engine/profile/mesh.h"
 #include "kiosk/picture/render/backdrop.h"
+#include "kiosk/picture/render/clay_programs.h"
 #include "kiosk/picture/render/clay_skin.h"
 #include "kiosk/picture/render/clay_surface.h"
+#include "kiosk/picture/render/coat_texture.h"
 #include "kiosk/picture/render/edges.h"
 #include "kiosk/picture/render/gl.h"
 #include "kiosk/picture/render/portrait.h"
-#include "kiosk/picture/render/skin_reader.h"
 #include "kiosk/picture/render/soft_edges.h"
 #include "kiosk/picture/render/studio.h"
 #include "kiosk/picture/render/tool_painter.h"
 #include "kiosk/picture/view/frame.h"
+#include "kiosk/picture/view/skin_point.h"
 
 namespace onggi::render {
 
@@ -35,6 +41,8 @@ class Stage {
   static Result<std::unique_ptr<Stage>> create();
 
   ClaySurface& clay() { return clay_; }
+  /// The decoration of the clay.
+  CoatTexture& coat() { return coat_; }
   const Backdrop& backdrop() const { return *backdrop_; }
   /// Call before the others: uploads the changes of clay, light and water.
   void prepare(const view::PotView& pot, const Quality& quality);
@@ -54,22 +62,31 @@ class Stage {
   /// Call before draw_pot() with one sample a pixel, if its edges are to be smooth: finds them, and
   /// draws the lip for them. Leaves another target bound.
   void prepare_edges(const view::PotView& pot, double scale);
-  /// Smooths the edges of a picture in `space` that is laid over `ground` in the bound frame.
-  void draw_edges(const Target& space, const Texture& ground, float opacity, int width,
-                  int height) {
-    edges_->draw(space, ground, opacity, width, height);
-  }
+  /// Smooths the edges of a picture in `space` that is laid over `ground` in the bound frame, and
+  /// draws a section as finely as the frame.
+  void draw_edges(const view::PotView& pot, const Target& space, const Texture& ground, int width,
+                  int height);
   void draw_portrait(const Portrait& portrait);
   /// The clay's surface at the positions of `mesh`, which must be the clay's own: dry, or fired in
   /// `glazing`. Ignores the bound target, and leaves another one bound.
   std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
                                          const std::optional<view::Glazing>& glazing);
+  /// For staff, each once.
+  std::vector<std::string> remarks() { return clay_programs_.remarks(); }
 
  private:
   Stage() = default;
   void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
   void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
-  void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft);
+  /// The outer wall's mesh for this picture: all round, or the part that faces the eye.
+  struct DrawnWall {
+    std::size_t size = 0;
+    bool facing = false;
+    float open_from = 0, open_angle = 0;
+  };
+  DrawnWall drawn_wall(const view::PotView& pot, float pixel) const;
+  void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft,
+                 bool whole_frame);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
   void draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
                   double turned);
@@ -77,22 +94,22 @@ class Stage {
   /// Prepares the current program of clay.glsl, except for mesh and tears.
   void set_clay(const Program& program, const view::PotView& pot, const glm::mat4& clip,
                 float pixel);
-  const Program& use_clay(int part, const view::PotView& pot, const glm::mat4& clip, float pixel);
+  const Program& use_clay(std::size_t part, const view::PotView& pot, const glm::mat4& clip,
+                          float pixel);
 
   Studio studio_;
   ClaySurface clay_;
   ClaySkin skin_;
-  // By skin and part of clay.glsl; only walls and lips tear.
-  std::array<std::array<Program, 5>, ClaySkin::kSkins> clay_programs_, torn_programs_;
+  CoatTexture coat_;
+  ClayPrograms clay_programs_;
   std::unique_ptr<ToolPainter> tools_;
-  std::unique_ptr<SkinReader> skin_reader_;
   std::unique_ptr<Backdrop> backdrop_;
   SoftEdges soft_edges_;
   std::unique_ptr<Edges> edges_;
   Program wheel_program_, solid_program_;
   std::array<Mesh, 4> walls_, facing_;
   std::array<Mesh, 3> lips_;
-  std::array<Mesh, 2> sections_;
+  std::array<Mesh, 4> sections_;  // with the rows of walls_, so that no gap shows between them
   Mesh mirrored_, floor_, wheel_;
   Texture clay_levels_, mesh_levels_, vessel_levels_;
   Model vessel_;

@@ -22,6 +22,9 @@ constexpr double kToggle = 0.03, kToggleRadius = 0.0055;
 // Visible length of a finger before it fades into the air, in radii.
 constexpr double kFinger = 3.2;
 
+// Sideways for each metre up, of a finger within the pot: by itself, and under a narrow neck.
+constexpr float kInsideLean = 0.16f, kMostLeanIn = -1.5f;
+
 struct Material {
   glm::vec3 color;
   float roughness = 0.5f, mirrors = 0.04f, fibre = 0, pores = 0;
@@ -112,17 +115,6 @@ Mesh drum(float hole) {
   return make.mesh();
 }
 
-/// The direction in which a finger extends from its ball: upwards, and outwards if it works the
-/// outer wall.
-glm::vec3 lean_of(const HandView& hand, const Levels& levels) {
-  const glm::vec3 tip = vec(hand.at);
-  const float rho = std::hypot(tip.x, tip.z);
-  const double t = levels.height > 0 ? std::clamp(hand.at.y / levels.height, 0.0, 0.999) : 0.0;
-  const float inner = levels.inner[static_cast<std::size_t>(t * kLevels)];
-  const glm::vec3 away = rho > 1e-4f ? glm::vec3(tip.x / rho, 0, tip.z / rho) : glm::vec3(1, 0, 0);
-  return glm::normalize(away * (rho > inner ? 1.0f : 0.12f) + glm::vec3(0, 0.75f, 0));
-}
-
 /// Sets the uniforms of one body for the current program.
 struct Placer {
   const Program& program;
@@ -165,6 +157,25 @@ bool is_loop(const HandView& hand) {
 
 }  // namespace
 
+glm::vec3 finger_lean(const HandView& hand, const Levels& levels) {
+  const glm::vec3 tip = vec(hand.at);
+  const float rho = std::hypot(tip.x, tip.z);
+  const glm::vec3 away = rho > 1e-4f ? glm::vec3(tip.x / rho, 0, tip.z / rho) : glm::vec3(1, 0, 0);
+  const double level = levels.height / kLevels;
+  const auto inner_at = [&](double height) {
+    const double t = levels.height > 0 ? std::clamp(height / levels.height, 0.0, 0.999) : 0.0;
+    return levels.inner[static_cast<std::size_t>(t * kLevels)];
+  };
+  if (rho > inner_at(hand.at.y)) return glm::normalize(away + glm::vec3(0, 0.75f, 0));
+  // Where the wall closes in above, the finger leans in.
+  float out = kInsideLean;
+  const auto radius = static_cast<float>(hand.radius);
+  const double end = std::min(hand.at.y + kFinger * hand.radius, levels.height);
+  for (double y = hand.at.y + hand.radius; level > 0 && y < end; y += level)
+    out = std::min(out, (inner_at(y) - radius - rho) / static_cast<float>(y - hand.at.y));
+  return glm::normalize(away * std::max(out, kMostLeanIn) + glm::vec3(0, 1, 0));
+}
+
 Result<std::unique_ptr<ToolPainter>> ToolPainter::create() {
   std::unique_ptr<ToolPainter> painter(new ToolPainter);
   auto program = Program::create("tool", {k_common_glsl, k_light_glsl, k_tool_glsl});
@@ -206,7 +217,7 @@ void ToolPainter::draw(const HandView& hand, const Levels& levels, const glm::ma
   switch (hand.body) {
     case BodyKind::ball: {
       if (is_sponge(hand)) return place.rod(capsule_, kPorous, at, along, across, radius, 0);
-      const glm::vec3 lean = lean_of(hand, levels);
+      const glm::vec3 lean = finger_lean(hand, levels);
       const glm::vec3 level = glm::normalize(glm::cross(lean, glm::vec3(0.36f, 0, -0.93f)));
       return place.rod(capsule_, kFlesh, at, lean, level, radius, kFinger * radius,
                        glm::vec2(0.3f, kFinger) * radius);

@@ -10,6 +10,10 @@
 
 namespace onggi::render {
 
+/// The direction in which a finger extends from its ball, unit: upwards and outwards if it works
+/// the outer wall; within the pot upwards, and inwards as far as the wall above asks for it.
+glm::vec3 finger_lean(const HandView& hand, const Levels& levels);
+
 /// Draws the held tool: its working body at the engine's place and in exact size, and the parts
 /// that show its kind (the finger that fades into the air, handles, wood, steel, sponge).
 class ToolPainter {

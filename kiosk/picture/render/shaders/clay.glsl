@@ -3,8 +3,9 @@
 // the cut-away discards no pixel. PART: 0 outer wall, 1 lip, 2 inner wall, 3 floor, 4 section of
 // floor and wall. SKIN: 0 dry clay, 1 wet clay, 2 glazed, 3 changing to a glaze. Both are fixed
 // when the program is compiled: software rasterizers run every branch of a shader, so a scene
-// without water compiles none of the wet clay. READ: writes the surface at given places, without
-// light (skin_reader.cpp).
+// without water compiles none of the wet clay. DECORATED: with paint, cuts and glaze of its own,
+// after coat.glsl; not a section. READ: writes the surface at given places, without light
+// (skin_reader.cpp).
 
 uniform mat4 clip_from_studio;
 uniform RADII outer_radius, inner_radius;  // shares of the widest
@@ -18,6 +19,7 @@ uniform float mirrored;  // 1: the reflection in the wheel head
 uniform vec2 unrolled;   // size of the lip in its own picture (edges.h); 0: in space
 uniform float share;     // the drawn share of the outer wall's height, from the foot
 uniform float wetness, opened;
+uniform float ink;       // width of the line round the section, m
 uniform vec3 dry_color, wet_color;
 #if SKIN == 1
 uniform sampler2D wet_rows;  // by share of the height
@@ -109,7 +111,8 @@ void main() {
   float r = inner_at(u, y / height);
 #elif PART == 3
   float y = floor_height;
-  float r = inner_at(u, 0.0) * (1.0 - along);
+  // A little into the wall, which has other columns.
+  float r = (inner_at(u, 0.0) + 0.0005) * (1.0 - along);
 #else
   bool of_floor = along < 0.0;
   float y = of_floor ? (along + 1.0) * floor_height
@@ -133,6 +136,12 @@ void main() {
 in vec3 position;
 in vec2 surface;
 out vec4 color;
+#if PART == 4
+// Over a whole frame whose picture in space is smaller: the frame's size, the depth by which what is
+// nearer hides it, and its opacity. Size 0: in space.
+uniform vec4 onto;
+uniform sampler2D away;  // depth of the picture in space
+#endif
 
 // Normal from the radius gradient by central differences, at the texture's scale or a pixel's if
 // that is larger. `bend`: second derivative along the wall (positive in a groove), 1/m.
@@ -159,6 +168,16 @@ struct Surface {
   vec3 albedo;
   float roughness, coat;
 };
+
+#ifdef DECORATED
+// Slip dries matt, and a stone polishes it.
+Surface decorated(Surface s) {
+  s.albedo = over(s.albedo);
+  s.roughness = mix(mix(s.roughness, 0.8, painted.a), 0.28, polish());
+  s.coat = mix(mix(s.coat, 0.010, painted.a), 0.035, polish());
+  return s;
+}
+#endif
 
 #ifdef TORN
 struct Tear {
@@ -190,6 +209,11 @@ Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip
   float coat = g.band_at.z, pooling = g.lie.z;
   float thick = 0.62 + pooling * groove + 0.3 * pooling * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
   if (PART >= 2) thick += 0.33 * pooling * (1.0 - t);
+#ifdef DECORATED
+  // It melts level, so it is thicker by what was cut away: 0.4 mm is 1, as of a glaze of its own.
+  thick += 2.55 * shaped.b * min(1.3 * pooling, 1.0);
+  coat *= mix(1.0, 2.55 * shaped.a, own_glaze);
+#endif
   thick = coat * clamp(thick, 0.05, 1.8);
   // A coarse brush on the turning pot leaves level streaks.
   float streak = textureLod(grain, vec2(u, position.y * 34.0 + u), 0.0).r;
@@ -197,6 +221,9 @@ Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip
   float brushed = mix(1.0, smoothstep(0.20, 0.56, 0.75 * streak + 0.35 * stroke), g.lie.y);
   float cover = g.lie.x * brushed * clamp((thick + 0.02) * 1.9, 0.0, 1.0);
   vec3 under = mix(g.body * (1.0 + 0.07 * fleck), g.slip, cover);
+#ifdef DECORATED
+  under = over(under);
+#else
   if (PART == 0) {
     // Painted by hand: the edges waver, and the brush ran dry here and there.
     float edge = 0.5 * g.band_at.y + 0.0018 * fleck;
@@ -205,9 +232,21 @@ Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip
     float fine = 1.0 - smoothstep(0.0018, 0.0032, abs(off - 1.35 * g.band_at.y));
     under = mix(under, g.band, step(1e-4, g.band_at.y) * max(line, 0.85 * fine) * (0.86 + 0.3 * fleck));
   }
+#endif
   Surface s;
+#ifdef DECORATED
+  // Slip scatters light just below the glass, where the body takes some in: it is seen through less.
+  thick *= 1.0 - 0.65 * painted.a;
+#endif
   s.albedo = under * exp(thick * 1.15 * log(max(g.glass, vec3(1e-4)))) * 0.86;
   float glass = min(coat * 4.0, 1.0) * (1.0 - wiped);
+#ifdef DECORATED
+  Surface bare = decorated(Surface(g.body * (1.0 + 0.3 * fleck), 0.7, 0.009));
+  s.albedo = mix(bare.albedo, s.albedo, glass);
+  s.roughness = mix(bare.roughness, mix(0.62, 0.07, g.lie.w) + 0.12 * lip, glass);
+  s.coat = mix(bare.coat, 0.045, glass);
+  return s;
+#endif
   s.albedo = mix(s.albedo, g.body * (1.0 + 0.3 * fleck), 1.0 - glass);
   s.roughness = mix(0.7, mix(0.62, 0.07, g.lie.w) + 0.12 * lip, glass);
   s.coat = mix(0.009, 0.045, glass);
@@ -231,10 +270,11 @@ Surface of_break(Surface face, float wet, float u) {
 }
 #endif
 
-vec3 section_color(float u) {
+// `edge`: metres inside it.
+vec3 section_color(float u, out float edge) {
   float rho = length(position.xz), t = position.y / height;
   float outer = outer_at(u, t), inner = inner_at(u, t);
-  float edge = min(outer - rho, position.y);
+  edge = min(outer - rho, position.y);
   float depth = lip_depth(u);
   float top = height - depth + lip_rise(depth, inner, outer, rho);
   edge = min(edge, position.y > floor_height ? min(rho - inner, top - position.y)
@@ -248,14 +288,15 @@ vec3 section_color(float u) {
   vec3 flat_ = mix(clay, vec3(0.93, 0.80, 0.66), 0.55);
   float fleck = textureLod(grain, vec2(rho, position.y) * 24.0, 0.0).r;
   flat_ *= 0.94 + 0.1 * fleck;
-  float ink = 1.0 - smoothstep(0.8 * pixel, 2.0 * pixel, edge);
-  return mix(flat_ * 0.98, vec3(0.017, 0.014, 0.012), 0.9 * ink);
+  float inked = ink > 0.0 ? clamp(0.5 + (ink - edge) / pixel, 0.0, 1.0) : 0.0;
+  return mix(flat_ * 0.98, vec3(0.017, 0.014, 0.012), 0.9 * inked);
 }
 
 void main() {
   float u = turn_of(surface.x), t = clamp(surface.y, 0.0, 1.0);
 #if PART == 4
-  vec3 drawn = section_color(u);
+  float edge = 0.0;
+  vec3 drawn = section_color(u, edge);
 #ifdef TORN
   Tear tear = tear_at(u, inner_at(u, t), outer_at(u, t), 0.0);
   if (tear.gap > 0.0) {
@@ -273,6 +314,11 @@ void main() {
 #ifdef TORN
   color.a = tear.cover;
 #endif
+  if (onto.x > 0.0) {
+    ivec2 texel = ivec2(gl_FragCoord.xy / onto.xy * vec2(textureSize(away, 0)));
+    if (texelFetch(away, texel, 0).r < gl_FragCoord.z - onto.z) discard;
+    color.a *= onto.w * clamp(0.5 + edge / pixel, 0.0, 1.0);
+  }
 #else
   float bend = 0.0, across = 0.0;
   vec3 n = vec3(0.0, 1.0, 0.0);
@@ -297,6 +343,33 @@ void main() {
   n = normalize(vec3(0.0, 1.0, 0.0) - outward * 0.5 * rise);
 #endif
 
+#ifdef DECORATED
+#if PART == 0
+  vec2 at = vec2(u, rows_of(t).x);
+#elif PART == 1
+  vec2 at = vec2(u, row_on_lip(rows_of(1.0 - depth / height), outer - rho, outer - inner, edge));
+#elif PART == 2
+  vec2 at = vec2(u, rows_of(t).y);
+#else
+  vec2 at = vec2(u, row_on_floor(rho, inner_at(u, 0.0)));
+#endif
+  painted = textureLod(paint, at, coat_level);
+  shaped = textureLod(form, at, coat_level);
+#ifndef READ
+#if SKIN >= 2
+  // Glass runs level over it.
+  float level_ = 1.0 - 0.85 * min(4.0 * glaze.band_at.z, 1.0);
+#endif
+#if SKIN == 2
+  n = bent(n, outward, level_);
+#elif SKIN == 3
+  n = bent(n, outward, mix(1.0, level_, fired));
+#else
+  n = bent(n, outward, 1.0);
+#endif
+#endif
+#endif
+
 #ifdef TORN
 #if PART == 1
   Tear tear = tear_at(u, inner, outer, 0.0);
@@ -317,6 +390,9 @@ void main() {
   float groove = clamp(bend / 900.0, -1.0, 1.0);
 #if SKIN < 2
   Surface skin = of_clay(wet_at(t), groove, fleck);
+#ifdef DECORATED
+  skin = decorated(skin);
+#endif
 #else
   float lip = PART == 1 ? 1.0 - 0.75 * across * across
                         : 0.25 * smoothstep(-mean_lip - 0.0016, -mean_lip, position.y - height);
@@ -331,6 +407,9 @@ void main() {
   // The new glaze appears in patches, from the foot up like the kiln's heat.
   Surface before = of_glaze(glaze_before, u, t, groove, fleck, lip, wiped);
   Surface clay = of_clay(0.0, groove, fleck);
+#ifdef DECORATED
+  clay = decorated(clay);
+#endif
   float patch_ = textureLod(grain, vec2(u * 2.0, position.y * 3.0), 0.0).r;
   float here = smoothstep(-0.16, 0.16, 1.32 * fired - 0.16 - (0.45 * t + 0.55 * patch_));
   before.albedo = mix(before.albedo, clay.albedo, from_clay);

@@ -28,7 +28,10 @@ Outlined outlined(double cut_away) {
   shown.frame.pot->cut_away = cut_away;
   glm::mat4 view, projection;
   shown.frame.pot->camera.matrices(&view[0][0], &projection[0][0]);
-  shown.ribbons = outline_of(clay, *shown.frame.pot, projection * view, 3.0f);
+  const double quarter = 0.5 * 3.14159265358979;
+  const WallMesh wall{60, 96, 96, static_cast<float>(quarter - shown.frame.pot->camera.azimuth),
+                      static_cast<float>(quarter * (4.0 - cut_away))};
+  shown.ribbons = outline_of(clay, wall, *shown.frame.pot, projection * view, 3.0f);
   return shown;
 }
 

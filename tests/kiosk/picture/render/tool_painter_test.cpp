@@ -165,5 +165,33 @@ TEST_F(AHand, EveryToolAtTheWall) {
   }
 }
 
+// A grey wedge stood outside the shoulder, and the rim was torn into steps.
+TEST(AFinger, WithinAPotStaysWithinItsWallUnderAShoulderAndANeck) {
+  Levels jar;
+  jar.height = 0.2;
+  for (int n = 0; n < kLevels; ++n) {
+    const float y = 0.2f * (static_cast<float>(n) + 0.5f) / kLevels;
+    const float shoulder = std::clamp((y - 0.12f) / 0.05f, 0.0f, 1.0f);
+    jar.inner[static_cast<std::size_t>(n)] = 0.07f - 0.04f * shoulder;
+    jar.outer[static_cast<std::size_t>(n)] = jar.inner[static_cast<std::size_t>(n)] + 0.006f;
+  }
+  HandView hand;
+  hand.radius = 0.008;
+  const auto inner = [&](double y) {
+    return jar.inner[static_cast<std::size_t>(std::clamp(y / 0.2, 0.0, 0.999) * kLevels)];
+  };
+  for (double y = 0.02; y < 0.19; y += 0.005) {
+    hand.at = {0.0, y, -(inner(y) - 0.008)};
+    const glm::vec3 lean = finger_lean(hand, jar);
+    EXPECT_NEAR(glm::length(lean), 1.0f, 1e-6f);
+    EXPECT_GT(lean.y, 0.5f);
+    for (float along = 0.010f; along < 0.024f; along += 0.002f) {
+      const glm::vec3 at = glm::vec3(0, y, hand.at.z) + along * lean;
+      if (at.y > 0.2f) break;
+      EXPECT_LT(std::fabs(at.z), inner(at.y) - 0.003f) << y << ", " << along;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace onggi::render::testing

@@ -1,0 +1,47 @@
+// A pot's decoration (coat_texture.h), in front of clay.glsl.
+
+#ifdef FRAGMENT
+uniform sampler2D paint;      // root of the light times its cover, cover
+uniform sampler2D form;       // slopes along and round, depth, own glaze or polish
+uniform sampler2D coat_rows;  // by share of the height: row of the outer and of the inner wall
+uniform vec2 floor_rows;      // of the floor, from the wall to where it ends,
+uniform float floor_ends;     // metres from the axis
+uniform float coat_level;     // of the textures
+uniform float own_glaze;      // 1: the glaze that was laid on it melts, 0: the kiln's, all over
+
+vec4 painted, shaped;  // of paint and form, here
+
+vec2 rows_of(float t) {
+  float n = float(textureSize(coat_rows, 0).x);
+  return between(coat_rows, (t * (n - 1.0) + 0.5) / n, 0.5).rg;
+}
+
+// Way over the lip from a face to `x` inside it. Its edge is round.
+float way_over(float x, float edge) {
+  return x < edge ? edge * acos(clamp(1.0 - x / edge, 0.0, 1.0)) : (0.5 * kPi - 1.0) * edge + x;
+}
+// `ends`: the rows where the lip begins and ends.
+float row_on_lip(vec2 ends, float x, float wall, float edge) {
+  float half_ = way_over(0.5 * wall, edge);
+  float way = x < 0.5 * wall ? way_over(max(x, 0.0), edge)
+                             : 2.0 * half_ - way_over(max(wall - x, 0.0), edge);
+  return mix(ends.x, ends.y, 0.5 * way / half_);
+}
+float row_on_floor(float rho, float wall) {
+  float way = (wall - rho) / max(wall - floor_ends, 1e-4);
+  return mix(floor_rows.x, floor_rows.y, clamp(way, 0.0, 1.0));
+}
+
+vec3 over(vec3 below) {
+  return below * (1.0 - painted.a) + painted.rgb * painted.rgb / max(painted.a, 1e-3);
+}
+float polish() { return shaped.a * (1.0 - own_glaze); }
+
+// Slopes of what was cut and laid bend the normal, by their share. Along the outline is a quarter
+// turn from the normal, everywhere from the foot to the floor.
+vec3 bent(vec3 n, vec3 outward, float share) {
+  vec2 slope = share * (shaped.xy * 255.0 - 128.0) / 64.0;
+  vec3 along = vec3(-n.y * outward.x, dot(n, outward), -n.y * outward.z);
+  return normalize(n - slope.x * along - slope.y * vec3(-outward.z, 0.0, outward.x));
+}
+#endif
