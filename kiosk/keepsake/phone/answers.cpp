@@ -22,6 +22,7 @@ struct File {
 };
 constexpr File kFiles[] = {{souvenir::kPostcard, "image/jpeg", false},
                            {souvenir::kTurning, "image/gif", false},
+                           {souvenir::kRollout, "image/jpeg", false},
                            {souvenir::kPotGlb, "model/gltf-binary", false},
                            {souvenir::kPotStl, "model/stl", true}};
 
@@ -102,7 +103,8 @@ Answer Answers::to(const Ask& ask) {
     if (ask.method == "GET") passes_.note_fetched(*pass, now);
     return {.status = 200,
             .body = visitors_page(pass->token, *words, own, languages_,
-                                  passes_.has_file(*pass, souvenir::kTurning))};
+                                  {.turning = passes_.has_file(*pass, souvenir::kTurning),
+                                   .rollout = passes_.has_file(*pass, souvenir::kRollout)})};
   }
   for (const File& file : kFiles) {
     if (what != file.name) continue;

@@ -1,7 +1,5 @@
 #include "kiosk/keepsake/phone/connection_shares.h"
 
-#include <algorithm>
-
 namespace onggi::phone {
 
 ConnectionShares::Entry ConnectionShares::enter(const std::string& address) {
@@ -12,13 +10,7 @@ ConnectionShares::Entry ConnectionShares::enter(const std::string& address) {
     if (own->second.silent.empty()) return {};
     entry.out = *own->second.silent.begin();
   } else if (open() >= all_) {
-    const auto silent =
-        std::max_element(addresses_.begin(), addresses_.end(), [](const auto& a, const auto& b) {
-          return a.second.silent.size() < b.second.silent.size();
-        });
-    const auto most = std::max_element(
-        addresses_.begin(), addresses_.end(),
-        [](const auto& a, const auto& b) { return a.second.all() < b.second.all(); });
+    const auto silent = silent_.begin()->of, most = most_.begin()->of;
     if (!silent->second.silent.empty())
       entry.out = *silent->second.silent.begin();
     else if (most->second.all() > held + 1)
@@ -28,26 +20,55 @@ ConnectionShares::Entry ConnectionShares::enter(const std::string& address) {
   }
   leave(entry.out);
   entry.in = ++last_;
-  addresses_[address].silent.insert(entry.in);
+  const auto [at, is_new] = addresses_.try_emplace(address);
+  if (!is_new) take_counts(at);
+  at->second.silent.insert(entry.in);
+  put_counts(at);
   addresses_of_.emplace(entry.in, address);
   return entry;
 }
 
 void ConnectionShares::asked(Number number) {
-  const auto at = addresses_of_.find(number);
-  if (at == addresses_of_.end()) return;
-  Address& address = addresses_[at->second];
-  if (address.silent.erase(number) > 0) address.asking.insert(number);
+  const auto of = addresses_of_.find(number);
+  if (of == addresses_of_.end()) return;
+  const auto at = addresses_.find(of->second);
+  take_counts(at);
+  if (at->second.silent.erase(number) > 0) at->second.asking.insert(number);
+  put_counts(at);
 }
 
 void ConnectionShares::leave(Number number) {
-  const auto at = addresses_of_.find(number);
-  if (at == addresses_of_.end()) return;
-  const auto address = addresses_.find(at->second);
-  address->second.silent.erase(number);
-  address->second.asking.erase(number);
-  if (address->second.all() == 0) addresses_.erase(address);
-  addresses_of_.erase(at);
+  const auto of = addresses_of_.find(number);
+  if (of == addresses_of_.end()) return;
+  const auto at = addresses_.find(of->second);
+  take_counts(at);
+  at->second.silent.erase(number);
+  at->second.asking.erase(number);
+  if (at->second.all() == 0)
+    addresses_.erase(at);
+  else
+    put_counts(at);
+  addresses_of_.erase(of);
+}
+
+ConnectionShares::Count ConnectionShares::silent_of(Addresses::iterator at) {
+  const auto& silent = at->second.silent;
+  return {silent.size(), silent.empty() ? 0 : *silent.begin(), at};
+}
+
+ConnectionShares::Count ConnectionShares::all_of(Addresses::iterator at) {
+  const auto& asking = at->second.asking;
+  return {at->second.all(), asking.empty() ? 0 : *asking.begin(), at};
+}
+
+void ConnectionShares::take_counts(Addresses::iterator at) {
+  silent_.erase(silent_of(at));
+  most_.erase(all_of(at));
+}
+
+void ConnectionShares::put_counts(Addresses::iterator at) {
+  silent_.insert(silent_of(at));
+  most_.insert(all_of(at));
 }
 
 }  // namespace onggi::phone

@@ -56,6 +56,10 @@ onggi::Result<Arguments> read(int count, char** values) {
           field == nullptr ? "This option does not exist." : "This option needs a value.",
           "See onggi-console --help.");
     *field = values[++n];
+    // Most often a shell's unset variable.
+    if (field->empty())
+      return onggi::problem(std::string(name), "It is empty.",
+                            "Name something, or leave the option out.");
   }
   return a;
 }
@@ -75,8 +79,6 @@ onggi::Result<int> give(const Arguments& a) {
 
 onggi::Result<int> print(const Arguments& a) {
   const onggi::files::Output to(onggi::files::Output::Kind::stl, a.to);
-  if (!to.wanted())
-    return onggi::problem("--to", "It is empty.", "Name a file, such as --to pot.stl.");
   if (const auto good = to.check(); !good) {
     // This program has no --force.
     onggi::Problem problem = good.error();

@@ -45,7 +45,7 @@ std::string page(const PhoneWords& words, const std::string& body) {
 }  // namespace
 
 std::string visitors_page(const std::string& token, const PhoneWords& w, const PhoneWords* own,
-                          const PhoneLanguages& languages, bool turning) {
+                          const PhoneLanguages& languages, Pictures pictures) {
   const std::string at = "/k/" + token;
   const auto link = [&](const char* file, const char* key) {
     return "<a class=\"take\" download href=\"" + at + '/' + file + "\">" + safe(w[key]) + "</a>";
@@ -62,7 +62,8 @@ std::string visitors_page(const std::string& token, const PhoneWords& w, const P
           safe(w["title"]) + "\"></canvas><figcaption>" + safe(w["turn"]) +
           "</figcaption></figure><img src=\"" + at + "/postcard.jpg\" alt=\"" + safe(w["title"]) +
           "\" width=\"1500\" height=\"2100\">" + link("postcard.jpg", "postcard") +
-          (turning ? link("turning.gif", "turning") : "") + link("pot.glb", "model") +
+          (pictures.turning ? link("turning.gif", "turning") : "") +
+          (pictures.rollout ? link("rollout.jpg", "rollout") : "") + link("pot.glb", "model") +
           link("pot.stl", "print") + "<p>" + safe(w["until"]) +
           // The visitor must confirm, also without a script.
           "</p><details><summary>" + safe(w["delete"]) +

@@ -83,6 +83,15 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
     if (!picture) return tl::unexpected(picture.error());
     small = std::move(*picture);
   }
+  std::vector<std::byte> glb = keepsake.glb, rollout;
+  if (keepsake.painted) {
+    auto skin = encoded(keepsake.painted->skin, {});
+    if (!skin) return tl::unexpected(skin.error());
+    glb = keepsake.painted->model(std::move(*skin));
+    auto picture = encoded(keepsake.painted->rollout, keepsake.caption);
+    if (!picture) return tl::unexpected(picture.error());
+    rollout = std::move(*picture);
+  }
   const std::string shown = keepsake.small ? text_of(*keepsake.small) : std::string();
   const std::string spoken = keepsake.spoken.empty() ? std::string() : keepsake.spoken + '\n';
   const std::vector<std::byte> replay =
@@ -110,8 +119,9 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
   for (const Result<void>& written :
        {write(files.postcard, kPostcard, *postcard),
         write(files.print, kPrint, files.token.empty() ? nothing : *print),
-        write(files.glb, kPotGlb, keepsake.glb), write(files.replay, kReplay, replay),
-        write(unnamed, kSmall, small), write(unnamed, kShown, std::as_bytes(std::span(shown))),
+        write(files.glb, kPotGlb, glb), write(files.replay, kReplay, replay),
+        write(files.rollout, kRollout, rollout), write(unnamed, kSmall, small),
+        write(unnamed, kShown, std::as_bytes(std::span(shown))),
         write(unnamed, kSpoken, std::as_bytes(std::span(spoken)))}) {
     if (!written) return tl::unexpected(written.error());
   }

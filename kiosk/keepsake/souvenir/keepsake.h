@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,14 @@ struct ByPhone {
   view::Image card;      ///< The postcard with the code, for the desk's printer.
 };
 
+/// What a decorated pot has besides.
+struct Painted {
+  view::Image skin;     ///< All of its surface, unrolled, for its model.
+  view::Image rollout;  ///< The outside as it is seen, unrolled.
+  /// The GLB, made of `skin` as JPEG. Called on the worker thread.
+  std::function<std::vector<std::byte>(std::vector<std::byte> skin)> model;
+};
+
 /// All files that a visitor gets from one visit.
 struct Keepsake {
   /// The visit's folder: "2026-05-04_141503_" and the vessel's id. Characters that do not belong in
@@ -30,18 +39,19 @@ struct Keepsake {
   std::string name;
   view::Image postcard;  ///< 1500 x 2100; without the code of the visitor's page.
   encoding::Caption caption;
-  std::vector<std::byte> glb;     ///< Made by content::write_glb.
+  std::vector<std::byte> glb;     ///< Made by content::write_glb; empty if it is `painted`.
   std::vector<std::byte> replay;  ///< May be empty.
   std::string spoken{};           ///< The id of its name (content::KeepsakeNames); "": none.
   /// For the gallery of today's pots; absent: not shown there.
   std::optional<SmallPot> small{};
   std::optional<ByPhone> phone{};  ///< Absent: no phone can fetch it.
+  std::optional<Painted> painted{};
 };
 
 /// The paths of the files. A path is empty if nothing was written.
 struct KeepsakeFiles {
   std::filesystem::path folder;
-  std::filesystem::path postcard, print, glb, replay;
+  std::filesystem::path postcard, print, glb, replay, rollout;
   std::string spoken{};  ///< As Keepsake's.
   std::string token{};   ///< Token of its pass; "": no phone can fetch it.
 };
@@ -54,8 +64,8 @@ struct KeepsakeLimits {
 };
 
 /// Writes `<folder>/<name>/{postcard.jpg,pot.glb,visit.onggi,name.txt}`, the replay packed
-/// (files::packed()), print.jpg for a phone's visitor, and for the gallery small.jpg and
-/// pot.txt. Then it tidies, but never removes the visit just written;
+/// (files::packed()), print.jpg for a phone's visitor, rollout.jpg of a decorated pot, and for the
+/// gallery small.jpg and pot.txt. Then it tidies, but never removes the visit just written;
 /// Problems of tidy() are dropped here and come back at its next call. A visit is complete or
 /// absent even after a power cut, because it is written as `<name>.partial` and then renamed. Only
 /// folders that save() wrote are ever removed. On a Problem (exit 1) nothing unfinished is left.

@@ -237,7 +237,7 @@ view::Frame compose_postcard(const PostcardWords& words, const Profile& made, co
   const float print_width = code_left - kMargin;
   const auto print = type(Face::sans, 28, words.language);
   std::string small;
-  for (const std::string& line : {words.glaze, words.credit, words.date})
+  for (const std::string& line : {words.decorated, words.glaze, words.credit, words.date})
     if (!line.empty()) small += (small.empty() ? "" : "\n") + side.line(line);
   float print_top = kFoot;
   if (!small.empty()) {

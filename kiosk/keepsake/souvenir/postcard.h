@@ -12,11 +12,12 @@ namespace onggi::souvenir {
 
 /// The content of a postcard; words are already in the visitor's language.
 struct PostcardWords {
-  std::string title;   ///< "My pot, inspired by: Moon jar"
-  std::string vessel;  ///< Culture and date of the vessel it answers.
-  std::string credit;  ///< The museum's.
-  std::string date;    ///< Already formatted.
-  std::string glaze;   ///< And the size: "Celadon, 175 mm high". May be empty.
+  std::string title;        ///< "My pot, inspired by: Moon jar"
+  std::string vessel;       ///< Culture and date of the vessel it answers.
+  std::string credit;       ///< The museum's.
+  std::string date;         ///< Already formatted.
+  std::string decorated{};  ///< "Decorated: cut, flooded". May be empty.
+  std::string glaze;        ///< And the size: "Celadon, 175 mm high". May be empty.
   std::string language = "en";
   bool right_to_left = false;  ///< Right-to-left language: words and drawing change sides.
   std::string address;         ///< The museum's page about the vessel, as a QR code; may be empty.

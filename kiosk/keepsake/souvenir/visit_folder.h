@@ -17,8 +17,9 @@ inline constexpr const char* kPostcard = "postcard.jpg";
 inline constexpr const char* kPrint = "print.jpg";  ///< With the code of the visitor's page.
 inline constexpr const char* kPotGlb = "pot.glb";
 inline constexpr const char* kReplay = "visit.onggi";
-inline constexpr const char* kSmall = "small.jpg";  ///< The pot alone, for the gallery,
-inline constexpr const char* kShown = "pot.txt";    ///< and its facts for the gallery.
+inline constexpr const char* kRollout = "rollout.jpg";  ///< A decorated pot's outside, unrolled.
+inline constexpr const char* kSmall = "small.jpg";      ///< The pot alone, for the gallery,
+inline constexpr const char* kShown = "pot.txt";        ///< and its facts for the gallery.
 
 /// The id of the three words that its visitor remembers it by.
 inline constexpr const char* kSpoken = "name.txt";

@@ -2,9 +2,9 @@
 // WebGL alone. Where there is no WebGL, or the file is none, the window stays hidden: the postcard is a picture of it.
 "use strict";
 
-// GLB 2.0, as the kiosk writes it: positions, normals and colours that all primitives share, and of each its triangles,
-// its colour and how rough it is.
-function readPot(bytes) {
+// GLB 2.0, as the kiosk writes it: positions, normals, and colours or places in a picture that all primitives share, and
+// of each its triangles, its colour and how rough it is.
+async function readPot(bytes) {
   const head = new DataView(bytes);
   if (head.getUint32(0, true) !== 0x46546c67) throw new Error("no GLB");
   const length = head.getUint32(12, true);
@@ -13,21 +13,30 @@ function readPot(bytes) {
   const array = (index) => {
     const accessor = gltf.accessors[index], view = gltf.bufferViews[accessor.bufferView];
     const from = bin + (view.byteOffset || 0) + (accessor.byteOffset || 0);
-    const count = accessor.count * { SCALAR: 1, VEC3: 3, VEC4: 4 }[accessor.type];
+    const count = accessor.count * { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 }[accessor.type];
     const Type = { 5126: Float32Array, 5125: Uint32Array, 5123: Uint16Array }[accessor.componentType];
     return new Type(bytes.slice(from, from + count * Type.BYTES_PER_ELEMENT));
   };
-  const shapes = gltf.meshes[0].primitives, { POSITION, NORMAL, COLOR_0 } = shapes[0].attributes;
+  const shapes = gltf.meshes[0].primitives, { POSITION, NORMAL, COLOR_0, TEXCOORD_0 } = shapes[0].attributes;
   const positions = array(POSITION), triangles = [];
   const coats = shapes.map((shape) => {
     const surface = gltf.materials ? gltf.materials[shape.material || 0].pbrMetallicRoughness : {};
     const own = array(shape.indices), first = triangles.length;
     for (const corner of own) triangles.push(corner);
-    const { baseColorFactor: color = [0.7, 0.6, 0.5, 1], roughnessFactor: rough = 1 } = surface;
+    const plain = surface.baseColorTexture ? [1, 1, 1, 1] : [0.7, 0.6, 0.5, 1];
+    const { baseColorFactor: color = plain, roughnessFactor: rough = 1 } = surface;
     return { first, count: own.length, color: color.slice(0, 3), rough };
   });
+  let picture = null;
+  if (gltf.images) {
+    const { bufferView, mimeType: type } = gltf.images[0];
+    const { byteOffset, byteLength } = gltf.bufferViews[bufferView];
+    picture = await createImageBitmap(new Blob([new Uint8Array(bytes, bin + byteOffset, byteLength)], { type }));
+  }
   return {
     positions,
+    picture,
+    places: TEXCOORD_0 === undefined ? new Float32Array(positions.length / 3 * 2) : array(TEXCOORD_0),
     normals: array(NORMAL),
     colors: COLOR_0 === undefined ? new Uint16Array(positions.length / 3 * 4).fill(65535) : array(COLOR_0),
     triangles: Uint32Array.from(triangles),
@@ -50,6 +59,8 @@ function boundsOf(positions) {
 
 const VERTEX = `
 attribute vec3 at, normal, tint;
+attribute vec2 lies;
+varying vec2 spot;
 uniform vec3 middle;
 uniform float size, turn, tilt, near;
 varying vec3 facing, own, place;
@@ -60,6 +71,7 @@ vec3 turned(vec3 p) {
 void main() {
   facing = turned(normal);
   own = tint;
+  spot = lies;
   vec3 p = turned(at - middle) / size;
   place = p;
   gl_Position = vec4(p.xy * 1.4 * near, -0.5 * p.z, 1.7 - 0.35 * p.z);
@@ -68,6 +80,8 @@ const FRAGMENT = `
 precision highp float;
 uniform vec3 color;
 uniform float rough;
+uniform sampler2D skin;
+varying vec2 spot;
 varying vec3 facing, own, place;
 void main() {
   vec3 n = normalize(gl_FrontFacing ? facing : -facing), window = normalize(vec3(-0.5, 0.6, 0.8));
@@ -76,7 +90,7 @@ void main() {
   float wide = max(rough, 0.3), sharp = 2.0 / (wide * wide * wide * wide) - 2.0;
   vec3 eye = normalize(vec3(0.0, 0.0, 4.86) - place);
   float shine = 0.04 * (sharp + 8.0) / 25.0 * pow(max(dot(n, normalize(window + eye)), 0.0), sharp);
-  gl_FragColor = vec4(pow(min(color * own * light + shine, 1.0), vec3(0.4545)), 1.0);
+  gl_FragColor = vec4(pow(min(color * own * pow(texture2D(skin, spot).rgb, vec3(2.2)) * light + shine, 1.0), vec3(0.4545)), 1.0);
 }`;
 
 function show(canvas, pot) {
@@ -94,7 +108,8 @@ function show(canvas, pot) {
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return;
   gl.useProgram(program);
-  for (const [name, values, wide] of [["at", pot.positions, 3], ["normal", pot.normals, 3], ["tint", pot.colors, 4]]) {
+  for (const [name, values, wide] of [["at", pot.positions, 3], ["normal", pot.normals, 3], ["tint", pot.colors, 4],
+    ["lies", pot.places, 2]]) {
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
     const place = gl.getAttribLocation(program, name);
@@ -103,6 +118,11 @@ function show(canvas, pot) {
   }
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, pot.triangles, gl.STATIC_DRAW);
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  const shown = [gl.TEXTURE_2D, 0, gl.RGBA];
+  if (pot.picture) gl.texImage2D(...shown, gl.RGBA, gl.UNSIGNED_BYTE, pot.picture);
+  else gl.texImage2D(...shown, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4).fill(255));
+  gl.generateMipmap(gl.TEXTURE_2D);
   const uniform = (name) => gl.getUniformLocation(program, name);
   const { middle, half } = boundsOf(pot.positions);
   gl.uniform3fv(uniform("middle"), middle);
@@ -200,5 +220,6 @@ async function taken(address) {
 
 const canvas = document.getElementById("pot");
 taken(canvas.dataset.glb)
-  .then((bytes) => show(canvas, readPot(bytes)))
+  .then(readPot)
+  .then((pot) => show(canvas, pot))
   .catch(() => { canvas.parentElement.hidden = true; });

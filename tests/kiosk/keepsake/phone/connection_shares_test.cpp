@@ -46,6 +46,38 @@ TEST(ConnectionShares, AnAddressFullOfDownloadsRefusesItsOwnAndGivesOneToAnother
   EXPECT_EQ(entry.out, 1u) << "the oldest of the most";
 }
 
+// By the order of their names, the visitor at 127.0.0.2 went before each of 16,000 at 127.1.
+TEST(ConnectionShares, OfAddressesWithAsManyTheOldestConnectionGoesWhateverTheirNames) {
+  ConnectionShares shares(3);
+  const auto first = shares.enter("c").in, second = shares.enter("b").in;
+  (void)shares.enter("a");
+  EXPECT_EQ(shares.enter("0").out, first);
+  EXPECT_EQ(shares.enter("d").out, second);
+  ConnectionShares busy(4);
+  std::vector<ConnectionShares::Number> all;
+  for (const char* address : {"b", "a", "b", "a"}) all.push_back(busy.enter(address).in);
+  for (const auto number : all) busy.asked(number);
+  EXPECT_EQ(busy.enter("c").out, all[0]);
+}
+
+TEST(ConnectionShares, TheWorkForANewcomerHardlyGrowsWithTheNumberOfAddresses) {
+  const auto work = [](int addresses) {
+    ConnectionShares shares(static_cast<std::size_t>(addresses));
+    for (int n = 0; n < addresses; ++n) {
+      const auto number = shares.enter("10.0." + std::to_string(n)).in;
+      if (n % 2 == 0) shares.asked(number);
+    }
+    const auto before = shares.compared();
+    for (int n = 0; n < 1000; ++n) {
+      EXPECT_NE(shares.enter("10.1." + std::to_string(n)).out, 0u) << "everything is taken";
+    }
+    return static_cast<double>(shares.compared() - before) / 1000;
+  };
+  const double of_few = work(100), of_many = work(16'000);
+  EXPECT_GT(of_few, 0);
+  EXPECT_LT(of_many, 3 * of_few);
+}
+
 // Whoever comes and goes in whatever order.
 TEST(ConnectionShares, NobodyWhoHoldsLittleIsClosedForWhoeverHoldsMuch) {
   EXPECT_TRUE(rc::check([] {

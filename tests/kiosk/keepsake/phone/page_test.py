@@ -19,6 +19,7 @@ import tempfile
 import time
 import tomllib
 import unittest
+import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import browser as browsers  # noqa: E402
@@ -84,33 +85,51 @@ def lopsided(glb):
     return bytes(out)
 
 
-def two_coloured(rough):
-    """A ball, red below and blue above, where it is so rough, as the kiosk writes a glazed pot."""
-    places, normals, colours, halves = [], [], [], ([], [])
+def png_of(rows):
+    """Of rows of (r, g, b)."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    head = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0)
+    data = zlib.compress(b"".join(b"\0" + bytes(v for pixel in row for v in pixel) for row in rows))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
+
+
+def two_coloured(rough, painted=False):
+    """A ball, red below and blue above, where it is so rough, as the kiosk writes a glazed pot; `painted`: by a picture."""
+    places, normals, colours, spots, halves = [], [], [], [], ([], [])
     for row in range(9):
         for k in range(32):
             round_, up = k * math.pi / 16, (row - 4) * math.pi / 8
             normals += [math.cos(up) * math.cos(round_), math.sin(up), math.cos(up) * math.sin(round_)]
             places += [0.5 * v for v in normals[-3:]]
             colours += [65535, 6000, 0, 65535] if row < 4 else [0, 6000, 65535, 65535]
+            spots += [k / 32, 0.75 if row < 4 else 0.25]
             if row < 8:
                 a, b = row * 32 + k, row * 32 + (k + 1) % 32
                 halves[row >= 4].extend([a, a + 32, b, b, a + 32, b + 32])
     parts = [struct.pack(f"<{len(v)}{t}", *v) for t, v in (("f", places), ("f", normals), ("I", halves[0] + halves[1]),
-                                                         ("H", colours))]
+                                                         ("f", spots) if painted else ("H", colours))]
+    if painted:
+        red, blue = (230, 60, 10), (10, 60, 230)
+        picture = png_of([[blue] * 4] * 2 + [[red] * 4] * 2)
+        parts.append(picture + bytes(-len(picture) % 4))
     views, at = [], 0
     for part in parts:
         views.append({"buffer": 0, "byteOffset": at, "byteLength": len(part)})
         at += len(part)
-    corners = {"POSITION": 0, "NORMAL": 1, "COLOR_0": 3}
-    coats = [{"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.8, 0.5, 1], "roughnessFactor": r}} for r in (0.7, rough)]
+    corners = {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0" if painted else "COLOR_0": 3}
+    colour = {"baseColorTexture": {"index": 0}} if painted else {"baseColorFactor": [0.8, 0.8, 0.5, 1]}
+    coats = [{"pbrMetallicRoughness": {**colour, "roughnessFactor": r}} for r in (0.7, rough)]
+    picture = {"images": [{"bufferView": 4, "mimeType": "image/png"}], "textures": [{"source": 0}]} if painted else {}
+    fourth = {"componentType": 5126, "type": "VEC2"} if painted else {"componentType": 5123, "type": "VEC4", "normalized": True}
     text = json.dumps({
+        **picture,
         "asset": {"version": "2.0"}, "materials": coats, "bufferViews": views, "buffers": [{"byteLength": at}],
         "meshes": [{"primitives": [{"attributes": corners, "indices": 2 + 2 * n, "material": n} for n in (0, 1)]}],
         "accessors": [{"bufferView": 0, "componentType": 5126, "count": 288, "type": "VEC3"},
                       {"bufferView": 1, "componentType": 5126, "count": 288, "type": "VEC3"},
                       {"bufferView": 2, "componentType": 5125, "count": 768, "type": "SCALAR"},
-                      {"bufferView": 3, "componentType": 5123, "count": 288, "type": "VEC4", "normalized": True},
+                      {"bufferView": 3, "count": 288, **fourth},
                       {"bufferView": 2, "byteOffset": 3072, "componentType": 5125, "count": 768, "type": "SCALAR"}]})
     text += " " * (-len(text) % 4)
     head = struct.pack("<IIIII", 0x46546c67, 2, 28 + len(text) + at, len(text), 0x4e4f534a)
@@ -260,8 +279,8 @@ class PageTest(unittest.TestCase):
     def test_the_pot_is_shown_in_its_glaze_and_what_is_smooth_shines(self):
         glazed, brightest = "2026-05-04_180000_glazed", {}
         shutil.copytree(self.kept / VISIT, self.kept / glazed)
-        for rough in (0.12, 0.7):
-            (self.kept / glazed / "pot.glb").write_bytes(two_coloured(rough))
+        for rough, painted in ((0.12, False), (0.7, False), (0.12, True), (0.7, True)):
+            (self.kept / glazed / "pot.glb").write_bytes(two_coloured(rough, painted))
             with self.page() as page:
                 page.go(self.at + self.token(glazed))
                 page.wait("!document.getElementById('turning').hidden", "the pot is shown")
@@ -271,9 +290,10 @@ class PageTest(unittest.TestCase):
                 below = [p for p in pixels[48 * 34:] if p[3] > 250]
                 self.assertGreater(len([p for p in above if p[2] > p[0] + 60]), 100, "blue above")
                 self.assertGreater(len([p for p in below if p[0] > p[2] + 60]), 100, "red below")
-                brightest[rough] = max(p[0] for p in above)  # blue has no red of its own
-                self.looked_at(page, f"glazed_{rough}")
-        self.assertGreater(brightest[0.12], brightest[0.7] + 60, "a window is seen in glass and not in clay")
+                brightest[rough, painted] = max(p[0] for p in above)  # blue has no red of its own
+                self.looked_at(page, f"{'painted' if painted else 'glazed'}_{rough}")
+        for painted in (False, True):
+            self.assertGreater(brightest[0.12, painted], brightest[0.7, painted] + 60, "a window is seen in glass and not in clay")
 
     def test_without_webgl_or_with_a_broken_pot_the_postcard_stays(self):
         broken = "2026-05-04_160000_broken"

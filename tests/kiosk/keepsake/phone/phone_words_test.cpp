@@ -85,7 +85,7 @@ TEST(PhoneWords, AMuseumsWordsAreTextOnThePageWhateverIsInThem) {
   PhoneLanguages languages;
   PhoneWords words = languages.all().front();
   words.texts["title"] = "<script>a</script> & \"b\"";
-  const std::string page = visitors_page("t", words, nullptr, languages, true);
+  const std::string page = visitors_page("t", words, nullptr, languages, {true, true});
   EXPECT_THAT(page, Not(HasSubstr("<script>a")));
   EXPECT_THAT(page, HasSubstr("&lt;script&gt;a&lt;/script&gt; &amp; &quot;b&quot;"));
 }

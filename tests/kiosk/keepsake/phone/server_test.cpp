@@ -55,6 +55,20 @@ TEST_F(PhoneTest, ThePictureThatTurnsIsOfferedFromWhenItIsThere) {
   EXPECT_FALSE(fs::exists(keepsakes_ / kVisit));
 }
 
+TEST_F(PhoneTest, TheRolloutIsOfferedWhereThereIsOne) {
+  const std::string at = "/k/" + token();
+  EXPECT_THAT(get(at), Not(HasSubstr("rollout.jpg")));
+  EXPECT_THAT(get(at + "/rollout.jpg"), StartsWith("HTTP/1.1 404"));
+  std::ofstream(keepsakes_ / kVisit / "rollout.jpg") << "unrolled";
+  EXPECT_THAT(get(at), HasSubstr("download href=\"" + at + "/rollout.jpg\""));
+  EXPECT_THAT(get(at), Not(HasSubstr("turning.gif")));
+  const std::string picture = get(at + "/rollout.jpg");
+  EXPECT_THAT(picture, HasSubstr("Content-Type: image/jpeg"));
+  EXPECT_EQ(test::body_of(picture), "unrolled");
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
+  EXPECT_FALSE(fs::exists(keepsakes_ / kVisit));
+}
+
 TEST_F(PhoneTest, WhoeverHasNoPassIsToldTheSameWhateverIsAsked) {
   const std::string good = token(), expired = token(1), deleted = token();
   now_ = kNow + 2 * kHour;

@@ -92,6 +92,30 @@ TEST(keepsake, what_is_empty_is_not_written) {
   EXPECT_THAT(names_in(files->folder), ElementsAre("postcard.jpg"));
 }
 
+TEST(keepsake, a_decorated_pot_has_its_model_made_of_its_picture_and_its_outside_unrolled) {
+  const ScratchFolder scratch;
+  Keepsake k = keepsake();
+  k.glb.clear();
+  std::vector<std::byte> skin;
+  k.painted = Painted{{64, 32, std::vector<std::uint8_t>(64 * 32 * 4, 90)},
+                      {64, 20, std::vector<std::uint8_t>(64 * 20 * 4, 90)},
+                      [&](std::vector<std::byte> jpeg) {
+                        skin = std::move(jpeg);
+                        return std::vector<std::byte>{std::byte{'m'}};
+                      }};
+  const auto files = save(k, scratch.path(), {100});
+  ASSERT_TRUE(files) << to_text(files.error());
+  EXPECT_THAT(names_in(files->folder),
+              ElementsAre("postcard.jpg", "pot.glb", "rollout.jpg", "visit.onggi"));
+  ASSERT_GT(skin.size(), 2u);
+  EXPECT_EQ(skin[0], std::byte{0xFF});
+  EXPECT_EQ(skin[1], std::byte{0xD8}) << "a JPEG";
+  EXPECT_EQ(fs::file_size(files->glb), 1u);
+  EXPECT_EQ(files->rollout, files->folder / "rollout.jpg");
+  EXPECT_GT(fs::file_size(files->rollout), 100u);
+  EXPECT_EQ(visits_in(scratch.path()).size(), 1u) << "it is ours, so it is tidied with the rest";
+}
+
 TEST(keepsake, two_visits_of_one_name_are_both_kept) {
   const ScratchFolder scratch;
   ASSERT_TRUE(save(keepsake(), scratch.path(), {100}));

@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""What onggi-console says to a wrong command line.
+
+usage: console_main_test.py --console build/.../onggi-console
+"""
+import argparse
+import subprocess
+import sys
+import unittest
+
+OPTIONS = ("--keepsakes", "--listen", "--languages", "--pass", "--hours", "--stl", "--to")
+
+
+class CommandLine(unittest.TestCase):
+    def said(self, *words):
+        run = subprocess.run([ARGUMENTS.console, *words], capture_output=True, text=True, timeout=20)
+        self.assertEqual((run.returncode, run.stdout), (2, ""), words)
+        return run.stderr
+
+    def test_an_empty_word_is_most_often_an_unset_variable_and_is_refused_by_name(self):
+        for option in OPTIONS:
+            self.assertEqual(self.said("--stl", "nowhere", option, ""),
+                             f"{option}: It is empty.\n  Name something, or leave the option out.\n")
+
+    def test_a_value_that_is_missing_and_an_option_that_does_not_exist_are_told(self):
+        for option in OPTIONS:
+            self.assertIn(f"{option}: This option needs a value.", self.said(option))
+        self.assertIn("--print: This option does not exist.", self.said("--print", "x"))
+        self.assertIn("The action is missing.", self.said("--to", "x.stl"))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--console", required=True)
+    ARGUMENTS, rest = parser.parse_known_args()
+    unittest.main(argv=[sys.argv[0], *rest])
