@@ -16,7 +16,9 @@ constexpr double kNearEnough = 0.0015;  // m
 constexpr double kWidens = 0.005;       // m that a stroke widens: more would leave a ledge
 constexpr double kSharp = 0.005;        // m that palms may leave on a neck
 constexpr int kMostStrokes = 15;
-constexpr double kStand = 2.5;  // s until the wheel has stopped
+constexpr double kRounding = 1 + 1e-6;
+constexpr double kLongestStep = 0.1;  // s of a stroke from one frame to the next
+constexpr double kStand = 2.5;        // s until the wheel has stopped
 }  // namespace
 
 Demonstration::Demonstration(const SceneForVisitor& wheel, bool left_handed)
@@ -109,6 +111,11 @@ void Demonstration::next_stage(const loop::WheelView& wheel, const Profile& targ
 void Demonstration::update(double dt, const loop::WheelView& wheel, const Profile& target,
                            Vec3 right, loop::WheelCommands& wheel_commands) {
   if (wheel.clay.rows() == 0 || done()) return;
+  // The wheel's own seconds: on a busy machine it turns behind the screen. Hands that went by the
+  // screen's, or leapt with each of its few frames, would leave a screw thread.
+  const double turned = std::max(wheel.status.time - wheel_time_, 0.0);
+  dt = std::min({dt, kRounding * turned, kLongestStep});
+  wheel_time_ = wheel.status.time;
   if (stage_ == Stage::wire) {
     if (wire_->update(dt, wheel, right, wheel_commands)) enter(Stage::done);
     return;

@@ -49,6 +49,7 @@ class Demonstration {
   Profile worked_;  ///< The target as the hands can make it.
   double side_;     ///< +1 right of the axis, -1 left.
   Stage stage_ = Stage::wet;
+  double wheel_time_ = 0;       ///< The wheel's own, s, at the last update.
   double stage_time_ = 0;       ///< s in this stage, or since the last stroke.
   double requested_speed_ = 0;  ///< rad/s, the last requested wheel speed.
   int strokes_ = 0;

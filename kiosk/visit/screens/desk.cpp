@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kiosk/collection/settings/text_in.h"
+#include "kiosk/visit/screens/decorate_controls.h"
 #include "kiosk/visit/screens/label.h"
 
 namespace onggi::screens {
@@ -24,6 +25,7 @@ void Desk::forget() {
   score = {};
   exactly = false;
   glaze = -1;
+  decorated.reset();
   lesson_step = 0;
   force = {};
   comfort = {};
@@ -103,11 +105,20 @@ std::string Desk::said(const score::Remark& remark) const {
   return say(remark.key, places);
 }
 
+score::Score Desk::judged(const ShelfCard& answered, const Profile& pot) const {
+  const settings::Rubric& rubric = world.exhibit->rubric;
+  const bool known = answered.vessel == nullptr || content::is_known(answered.vessel->size_from);
+  const double true_scale = !known ? 0 : answered.scale > 0 ? 1 / answered.scale : 1;
+  return score::judge(answered.target, pot, !rubric.size_counts, true_scale, rubric, true);
+}
+
 void Desk::judge(const ShelfCard& answered) {
   made = world.wheel->clay.profile();
   const settings::Rubric& rubric = world.exhibit->rubric;
   kept = Kept::not_asked;
   glaze = -1;
+  if (world.wheel->clay.change() != clay_decorated_) decorated.reset();
+  if (decorated) decorated->fire(false);
   postcard = 0;
   if (const auto* wanted = described()) {
     figures = score::figures_of(made, world.wheel->clay.capacity());
@@ -115,9 +126,7 @@ void Desk::judge(const ShelfCard& answered) {
     notes.judged(score.points);
     return;
   }
-  const bool known = answered.vessel == nullptr || content::is_known(answered.vessel->size_from);
-  const double true_scale = !known ? 0 : answered.scale > 0 ? 1 / answered.scale : 1;
-  score = score::judge(answered.target, made, !rubric.size_counts, true_scale, rubric);
+  score = judged(answered, made);
   notes.judged(score.points);
 }
 
@@ -126,11 +135,37 @@ void Desk::touch_pot() {
   kept = Kept::not_asked;
 }
 
+void Desk::fresh_clay() {
+  touched = false;
+  if (world.lesson != nullptr && lesson_step < world.lesson->size()) lesson_step = 0;
+}
+
+decorating::DecoratedPot* Desk::pot_to_decorate() {
+  if (!decorated && wheel().way != nullptr) {
+    auto begun = decorating::DecoratedPot::begin(made, *wheel().way);
+    if (begun) decorated = std::move(*begun);
+    clay_decorated_ = world.wheel->clay.change();
+  }
+  return decorated.get();
+}
+
+std::uint64_t Desk::decoration_hash() const {
+  return decorated && !decorated->bare() ? decorated->surface().hash() : 0;
+}
+
 void Desk::keep_pot() {
-  if (kept != Kept::not_asked && kept_glaze_ == glaze) return;
-  requests.emplace_back(MakeKeepsake{card, score, made, glaze});
+  const std::uint64_t decoration = decoration_hash();
+  if (kept != Kept::not_asked && kept_glaze_ == glaze && kept_decoration_ == decoration) return;
+  MakeKeepsake wish{card, score, made, glaze};
+  if (decorated && !decorated->bare()) {
+    decorated->finish();
+    wish.decorated = decorated;
+    wish.decorated_how = did_in_words(*this, *decorated);
+  }
+  requests.emplace_back(std::move(wish));
   kept = Kept::asked;
   kept_glaze_ = glaze;
+  kept_decoration_ = decoration;
   kept_as.clear();
   kept_at.clear();
   kept_in.clear();
@@ -141,7 +176,7 @@ void Desk::start_pot(int index, bool scripted, const std::string& script) {
   requests.emplace_back(StartPot{index, scripted, script});
   if (!scripted) notes.pot();
   figures.reset();
-  touched = false;
+  fresh_clay();
   awaited_ = status.scene_serial;
 }
 

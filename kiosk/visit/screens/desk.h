@@ -32,6 +32,7 @@ class Desk {
   double now = 0;
   std::deque<Request> requests;
   std::optional<ScreenId> next;  ///< The screen to go to after the current call.
+  bool by_keys = false;          ///< The last input was a key.
   bool turned = false;           ///< Same screen, other picture: cross-fade.
 
   NoteTaker notes;                                 ///< Takes the countable notes of the visit.
@@ -51,6 +52,8 @@ class Desk {
   Comfort comfort;
   std::size_t lesson_step = 0;  ///< The current or next step of the exhibit's lesson.
   int glaze = -1;               ///< Index in the kiln's glazes; -1: not chosen yet.
+  /// Null until the visitor comes to decorate the pot. A keepsake in the making has it, too.
+  std::shared_ptr<decorating::DecoratedPot> decorated;
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
   /// The keepsake's name, its address for a phone, and its folder.
   std::string kept_as, kept_at, kept_in;
@@ -109,12 +112,19 @@ class Desk {
   /// A remark in the visitor's language, with litres in its decimal notation.
   std::string said(const score::Remark& remark) const;
 
+  /// The score of `pot` as an answer to `card`'s vessel.
+  score::Score judged(const ShelfCard& card, const Profile& pot) const;
   /// Stores the pot on the wheel, which is paused, as the visitor's answer to `card`.
   void judge(const ShelfCard& card);
   /// A hand of the visitor is at the pot: from now on there is something to lose.
   void touch_pot();
   bool unkept() const { return touched && kept == Kept::not_asked; }
-  /// Requests the keepsake, once for each pot and glaze.
+  /// Fresh clay comes to the wheel: it is nobody's work, and a lesson that goes on begins anew.
+  void fresh_clay();
+  /// The pot to decorate, made at the first call for it; null if the vessel has no way, or the pot
+  /// no outline.
+  decorating::DecoratedPot* pot_to_decorate();
+  /// Requests the keepsake, once for each pot, decoration and glaze.
   void keep_pot();
   /// Requests a fresh lump; pot_ready() is false until it is on the wheel.
   void start_pot(int index, bool scripted, const std::string& script = "follow");
@@ -127,7 +137,12 @@ class Desk {
  private:
   bool does(settings::Mission::Kind kind) const { return on() != nullptr && on()->kind == kind; }
 
-  int kept_glaze_ = -1;                   ///< The glaze of the last request.
+  /// The surface of the pot that is decorated; 0: none.
+  std::uint64_t decoration_hash() const;
+
+  int kept_glaze_ = -1;                   ///< The glaze of the last request,
+  std::uint64_t kept_decoration_ = 0;     ///< and the decoration.
+  std::uint64_t clay_decorated_ = 0;      ///< ClayView::change() of the decorated pot.
   std::optional<std::uint32_t> awaited_;  ///< Serial of the pot that is being replaced.
 };
 

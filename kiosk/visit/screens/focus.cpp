@@ -8,6 +8,18 @@ namespace onggi::screens {
 
 namespace {
 constexpr float kAnotherRow = 1e5f;  // pixels: farther than anything on a screen
+constexpr float kEqual = 1e-3f;      // centres decide between controls that are equally near
+
+/// What a rectangle covers of one axis.
+struct Span {
+  float begin = 0, length = 0;
+  float middle() const { return begin + length / 2; }
+};
+Span span(const view::Rect& r, bool upright) { return upright ? Span{r.y, r.h} : Span{r.x, r.w}; }
+/// From edge to edge; negative where they overlap.
+float apart(const Span& a, const Span& b) {
+  return std::max(a.begin - b.begin - b.length, b.begin - a.begin - a.length);
+}
 }  // namespace
 
 std::string step_focus(const std::vector<Control>& controls, const std::string& from,
@@ -17,33 +29,24 @@ std::string step_focus(const std::vector<Control>& controls, const std::string& 
                                [&](const Control& c) { return c.id == from; });
   if (at == controls.end()) return controls.front().id;
 
-  const auto centre = [](const view::Rect& r) { return std::pair(r.x + r.w / 2, r.y + r.h / 2); };
-  const auto [x0, y0] = centre(at->rect);
+  const bool upright = direction == Direction::up || direction == Direction::down;
+  const bool forward = direction == Direction::down || direction == Direction::right;
   const Control* nearest = nullptr;
   float least = std::numeric_limits<float>::max();
   for (const Control& c : controls) {
     if (&c == &*at) continue;
-    const auto [x, y] = centre(c.rect);
-    float along = 0, across = 0;
-    switch (direction) {
-      case Direction::up:
-        along = y0 - y, across = x - x0;
-        break;
-      case Direction::down:
-        along = y - y0, across = x - x0;
-        break;
-      case Direction::left:
-        along = x0 - x, across = y - y0;
-        break;
-      case Direction::right:
-        along = x - x0, across = y - y0;
-        break;
-    }
-    if (along < 2.0f) continue;
-    // Left and right stay in the row while it has another control there.
-    const bool level = direction == Direction::left || direction == Direction::right;
-    const bool elsewhere = level && std::abs(across) > 0.25f * (at->rect.h + c.rect.h);
-    const float cost = along + 2.0f * std::abs(across) + (elsewhere ? kAnotherRow : 0.0f);
+    const Span here = span(at->rect, upright), to = span(c.rect, upright);
+    const float centres = forward ? to.middle() - here.middle() : here.middle() - to.middle();
+    if (centres < 2.0f) continue;
+    const Span beside = span(at->rect, !upright), there = span(c.rect, !upright);
+    // Edges count, not centres: else a wide control hides a narrow one right beside it.
+    const float across = std::max(0.0f, apart(beside, there));
+    const bool passes = -apart(here, to) > 0.5f * std::min(here.length, to.length);
+    // Left and right stay in the row while it has another control there. Up and down leave it.
+    const bool elsewhere = upright ? passes : across > 0;
+    const float cost = std::max(0.0f, apart(here, to)) + across +
+                       kEqual * std::abs(beside.middle() - there.middle()) +
+                       (elsewhere ? kAnotherRow : 0.0f);
     if (cost < least) least = cost, nearest = &c;
   }
   if (nearest) return nearest->id;

@@ -9,10 +9,10 @@ namespace onggi::screens {
 
 enum class Direction { up, down, left, right };
 
-/// The control that an arrow reaches from `from`: the nearest one in that direction, counting
-/// sideways distance double. If there is none, the next (right, down) or previous (left, up) one in
-/// reading order, cyclically, so that one arrow reaches every control. Empty if there are no
-/// controls.
+/// The control that an arrow reaches from `from`: the nearest one in that direction, by the
+/// distance of edges. One that lies straight in that direction is not passed over. If there is
+/// none, the next (right, down) or previous (left, up) one in reading order, cyclically, so that
+/// one arrow reaches every control. Empty if there are no controls.
 std::string step_focus(const std::vector<Control>& controls, const std::string& from,
                        Direction direction);
 

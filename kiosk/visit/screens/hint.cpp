@@ -1,8 +1,10 @@
 #include "kiosk/visit/screens/hint.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <utility>
 
+#include "kiosk/collection/score/in_words.h"
 #include "kiosk/visit/screens/measured_pot.h"
 #include "kiosk/visit/screens/target_line.h"
 
@@ -15,42 +17,48 @@ namespace {
 constexpr const char* kPlaces[] = {"place.foot", "place.low",  "place.belly", "place.middle",
                                    "place.neck", "place.high", "place.rim"};
 
-/// The potters' name for the part of `target` at `h`.
-const char* place_at(const Profile& target, double h) {
-  const double share = h / target.height();
-  const Dimensions d = dimensions(target);
-  if (share < 0.1) return "place.foot";
-  if (share > 0.93) return "place.rim";
-  const double belly = d.belly_height / target.height();
-  if (belly > 0.2 && belly < 0.85 && std::abs(share - belly) < 0.13) return "place.belly";
-  const bool necked = d.neck > 0 && d.neck < 0.75 * d.belly && belly < 0.75;
-  if (necked && share > belly && 2 * target.outer_at(h) < d.neck * 1.25) return "place.neck";
-  if (share < 0.36) return "place.low";
-  return share > 0.64 ? "place.high" : "place.middle";
+constexpr double kFromEnds = 0.04;  // an arrow this near foot or rim points at nothing
+
+/// Remarks of the score without a place on the wall, as they are said at the wheel.
+constexpr std::pair<const char*, const char*> kWithoutPlace[] = {
+    {"plain.taller", "mission.taller"},
+    {"plain.lower", "mission.lower"},
+    {"plain.opening", "hint.opening"},
+    {"plain.even", "hint.even"},
+    {"remark.not_round", "hint.not_round"},
+    {"remark.rippled", "hint.rippled"},
+    {"remark.opening_shut", "remark.opening_shut"}};
+
+Hint press_hint(const HintInput& in, std::string place, double share, bool inward) {
+  const double height = std::min(in.target->height(), in.made->height());
+  Hint hint{"", std::move(place),
+            Hint::Press{height * std::clamp(share, kFromEnds, 1 - kFromEnds), inward}};
+  if (inward)
+    hint.key = in.grip == Grip::inside ? "hint.go_outside"
+               : in.touched            ? "hint.press_in"
+                                       : "hint.first_in";
+  else
+    hint.key = in.grip == Grip::outside ? "hint.go_inside" : "hint.press_out";
+  return hint;
 }
 
-struct Difference {
-  double height = 0, off = 0;
-};
-
-/// The height where the clay is farthest from the target and can still be changed.
-Difference worst(const HintInput& in) {
-  constexpr int kSteps = 48, kReach = 2;
-  const double height = std::min(in.target->height(), in.made->height());
-  // Below this the pot is solid, so no tool can press it outwards.
+/// What the hands can do about `remark` now; nothing if they cannot.
+std::optional<Hint> hint_of(const score::Remark& remark, const HintInput& in) {
+  const score::Remark plain = score::in_words(remark);
+  for (const auto& [said, key] : kWithoutPlace)
+    if (plain.key == said) return Hint{key, {}, {}};
+  const bool belly = plain.key == "plain.belly_higher" || plain.key == "plain.belly_lower";
+  if (!plain.seen || (!belly && !plain.places.contains("place"))) return std::nullopt;
+  const Measures& m = in.score->measures;
+  if (!belly && m.common_firm * m.target.height <= tolerance(*in.target)) return std::nullopt;
+  // The widest place moves as the wall swells where the vessel has it.
+  const bool inward = !belly && plain.key.ends_with("narrower");
   const double floor = in.made->floor_height() + in.tool_radius;
-  Difference found;
-  for (int i = kReach; i <= kSteps - kReach; ++i) {
-    double off = 0;
-    for (int k = -kReach; k <= kReach; ++k) {
-      const double h = height * (i + k) / kSteps;
-      off += (in.made->outer_at(h) - in.target->outer_at(h)) / (2 * kReach + 1);
-    }
-    const double h = height * i / kSteps;
-    if (off < 0 && h < floor) continue;
-    if (std::abs(off) > std::abs(found.off)) found = {h, off};
-  }
-  return found;
+  // Below this the pot is solid, so no tool can press it outwards.
+  const double height = std::min(in.target->height(), in.made->height());
+  if (!inward && plain.seen->wanted * height < floor) return std::nullopt;
+  return press_hint(in, "place." + (belly ? "belly" : plain.places.at("place")), plain.seen->wanted,
+                    inward);
 }
 
 }  // namespace
@@ -61,18 +69,10 @@ Hint next_hint(const HintInput& in) {
     return {"hint.begin", {}, {}};
   if (in.dry_too_long) return {"hint.dry", {}, {}};
   if (!in.described.empty()) return {in.described, {}, {}};
-  const Difference d = worst(in);
-  if (std::abs(d.off) <= tolerance(*in.target)) return {"hint.close", {}, {}};
-
-  const bool inward = d.off > 0;
-  Hint hint{"", place_at(*in.target, d.height), Hint::Press{d.height, inward}};
-  if (inward)
-    hint.key = in.grip == Grip::inside ? "hint.go_outside"
-               : in.touched            ? "hint.press_in"
-                                       : "hint.first_in";
-  else
-    hint.key = in.grip == Grip::outside ? "hint.go_inside" : "hint.press_out";
-  return hint;
+  if (in.score == nullptr) return {"hint.begin", {}, {}};
+  for (const score::Remark& remark : in.score->try_next)
+    if (std::optional<Hint> hint = hint_of(remark, in)) return *std::move(hint);
+  return {"hint.close", {}, {}};
 }
 
 std::string words_of(const Hint& hint, const Desk& desk) {
@@ -85,6 +85,7 @@ std::vector<std::string> all_hints(const Desk& desk) {
   std::vector<std::string> all;
   for (const char* key : {"hint.wheel_still", "hint.begin", "hint.dry", "hint.close"})
     all.push_back(desk.say(key));
+  for (const auto& said : kWithoutPlace) all.push_back(desk.say(said.second));
   if (desk.described() != nullptr)
     for (const std::string& key : MeasuredPot::hints()) all.push_back(desk.say(key));
   for (const char* key :

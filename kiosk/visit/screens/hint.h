@@ -13,6 +13,7 @@ namespace onggi::screens {
 struct HintInput {
   const Profile* target = nullptr;
   const Profile* made = nullptr;
+  const score::Score* score = nullptr;  ///< Of `made`, as the result would judge it.
   bool wheel_turns = true;
   device::Grip grip = device::Grip::both;
   bool touched = false;       ///< The visitor has touched this pot.
@@ -21,7 +22,8 @@ struct HintInput {
   std::string described{};  ///< The hint for wanted figures, if there is no outline to copy.
 };
 
-/// The most useful hint for the current state. Pure.
+/// The most useful hint for the current state: of what the result would say to try next, the first
+/// that hands can do now. Pure.
 Hint next_hint(const HintInput& in);
 
 /// Every hint in the desk's language, for reserving space.

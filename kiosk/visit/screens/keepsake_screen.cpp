@@ -1,6 +1,8 @@
 #include "kiosk/visit/screens/keepsake_screen.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "kiosk/collection/settings/wifi_code.h"
@@ -17,8 +19,11 @@ namespace {
 
 /// Fewer visits are told nobody (kiosk/docs/store.md).
 constexpr int kFew = 5;
+// s that the thanks stand; the second where they are read aloud or a switch needs its time
+constexpr double kThanks = 10, kThanksAided = 25;
 
-/// The postcard, large, and the name under which it is kept; a button leads to today's pots.
+/// The postcard, large, and the name under which it is kept; a button leads to today's pots. Who
+/// has finished is thanked and sees the name once more, until a touch or for some seconds.
 class Keepsake final : public Screen {
  public:
   explicit Keepsake(Desk& d) : Screen(d), gallery_(d) {}
@@ -28,24 +33,30 @@ class Keepsake final : public Screen {
   void update(double dt) override {
     gallery_.update(dt);
     if (open_ && !gallery_.any()) turn_to(false);
+    if (thanks_until_ && desk.now > *thanks_until_) desk.go(ScreenId::attract);
   }
   bool drag(const view::InputEvent& e, const Page&) override { return open_ && gallery_.drag(e); }
   void pointer(const view::InputEvent& e, const Page&) override {
     if (open_) gallery_.pointer(e);
+    if (thanks_until_ && e.kind == view::InputEvent::Kind::pointer_up) desk.go(ScreenId::attract);
   }
   void let_go() override { gallery_.let_go(); }
 
   void lay_out(Page& page) override {
     const Button done{"keepsake.done", desk.say("keepsake.done"), Look::solid};
     if (open_) return gallery_.lay_out(page, {done}, true);
+    if (thanks_until_) return lay_out_thanks(page);
     if (desk.postcard != 0) lay_out_card(page);
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap * 1.5f);
-    std::vector<Button> ways{done, {"keepsake.again", desk.say("keepsake.again"), Look::outline}};
-    if (gallery_.any()) ways.push_back(gallery_.way("keepsake.gallery"));
-    column.foot_buttons(ways);
+    column.foot_buttons({done, {"keepsake.again", desk.say("keepsake.again"), Look::outline}});
+    // It comes when the pot is kept, above the others: none of them moves under a finger.
+    if (gallery_.any()) {
+      column.foot_space(t.gap);
+      column.foot_buttons({gallery_.way("keepsake.gallery")});
+    }
     column.foot_space(t.gap);
     const bool failed = desk.kept == Desk::Kept::failed;
     const bool making = desk.postcard == 0 && !failed;
@@ -57,15 +68,12 @@ class Keepsake final : public Screen {
     switch (desk.kept) {
       case Desk::Kept::not_asked:
       case Desk::Kept::asked:
-        column.text(desk.say("keepsake.wait"), t.body);
+        column.text(desk.say(desk.postcard == 0 ? "keepsake.wait" : "keepsake.naming"), t.body);
         break;
       case Desk::Kept::kept:
         column.text(desk.say("keepsake.kept"), t.body);
         column.space(t.gap);
-        // A name in another script keeps its order inside right-to-left text too.
-        column.text(
-            desk.words().right_to_left() ? "\u2068" + desk.kept_as + "\u2069" : desk.kept_as,
-            t.title * 0.8f, Face::serif);
+        column.text(name(), t.title * 0.8f, Face::serif);
         if (const int n = number(); n >= kFew) {
           column.space(t.gap);
           column.text(desk.say("keepsake.today",
@@ -81,20 +89,52 @@ class Keepsake final : public Screen {
   }
 
   void press(const std::string& control) override {
-    if (control == "keepsake.done") desk.go(ScreenId::attract);
+    if (control == "keepsake.done") finish();
     if (control == "keepsake.again") desk.go(ScreenId::choose);
     if (control == "keepsake.gallery") turn_to(true);
     if (open_) gallery_.press(control);
   }
   void back() override {
     if (open_) return turn_to(false);
-    desk.go(desk.wheel().kiln ? ScreenId::kiln : ScreenId::result);
+    if (thanks_until_) {
+      thanks_until_.reset();
+      desk.turned = true;
+      return;
+    }
+    desk.go(desk.wheel().kiln             ? ScreenId::kiln
+            : desk.wheel().way != nullptr ? ScreenId::decorate
+                                          : ScreenId::result);
   }
 
  private:
   /// Which one of today's pots of its vessel this is; 0 where the exhibit does not show them.
   int number() const {
     return desk.world.todays == nullptr ? 0 : number_today(*desk.world.todays, desk.kept_in);
+  }
+  /// A name in another script keeps its order inside right-to-left text too.
+  std::string name() const {
+    return desk.words().right_to_left() ? "\u2068" + desk.kept_as + "\u2069" : desk.kept_as;
+  }
+  void finish() {
+    if (thanks_until_ || desk.kept != Desk::Kept::kept) return desk.go(ScreenId::attract);
+    const settings::Exhibit::Screen screen = desk.screen();
+    thanks_until_ = desk.now + (screen.spoken || screen.one_switch ? kThanksAided : kThanks);
+    open_ = false;
+    desk.turned = true;
+  }
+  void lay_out_thanks(Page& page) const {
+    if (desk.postcard != 0) lay_out_card(page);
+    const TypeScale& t = page.type();
+    Column column(page, page.where().words);
+    column.foot_buttons(standing_buttons(desk, true));
+    column.foot_space(t.gap * 1.5f);
+    column.foot_buttons({{"keepsake.done", desk.say("keepsake.leave"), Look::solid}});
+    column.foot_space(t.gap);
+    column.text(desk.say("keepsake.thanks"), t.title, Face::serif);
+    column.space(t.gap);
+    column.text(desk.say("keepsake.kept"), t.body);
+    column.space(t.gap);
+    column.text(name(), t.title, Face::serif);
   }
   void turn_to(bool open) {
     open_ = open;
@@ -155,6 +195,7 @@ class Keepsake final : public Screen {
 
   GalleryPage gallery_;
   bool open_ = false;                          ///< The gallery is open.
+  std::optional<double> thanks_until_;         ///< The visitor is thanked and may go.
   std::string coded_;                          ///< The texts of the codes.
   view::SquareCode page_code_, network_code_;  ///< Computed once for each page.
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/visit/screens/decorate_controls.h"
 #include "kiosk/visit/screens/label.h"
+#include "kiosk/visit/screens/light_color.h"
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/pot_picture.h"
 #include "kiosk/visit/screens/target_line.h"
@@ -28,13 +30,6 @@ double smooth(double x) {
 }
 double along(double from, double to, double share) { return from + (to - from) * share; }
 
-view::Color display(const content::LinearColor& c) {
-  const auto encode = [](float v) {
-    return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-  };
-  return {encode(c[0]), encode(c[1]), encode(c[2]), 1};
-}
-
 /// The pot dries, gets the glaze that the visitor chooses, and comes out smaller. Another choice
 /// glazes it again. The visitor never has to wait.
 class KilnScreen final : public Screen {
@@ -47,6 +42,7 @@ class KilnScreen final : public Screen {
 
   void update(double dt) override {
     picture_.update(desk, dt, nullptr, false, false);
+    burn_slips(dt);
     picture_.show_round(desk, dt, desk.screen().left_handed ? -kGlazeShowSpeed : kGlazeShowSpeed);
     if (desk.still()) return finish();
     const bool chosen = desk.glaze >= 0;
@@ -90,8 +86,8 @@ class KilnScreen final : public Screen {
   }
 
   void lay_out(Page& page) override {
-    // Keep the thrown size as a line, so that visitors see the shrinkage that the text tells.
-    if (dried_ > 0.05) draw_ghost(page, picture_.camera(page), desk.made, {});
+    // The thrown size as a line, once the words say what it is.
+    if (desk.glaze >= 0 && dried_ > 0.05) draw_ghost(page, picture_.camera(page), desk.made, {});
     const TypeScale& t = page.type();
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
@@ -115,6 +111,11 @@ class KilnScreen final : public Screen {
       column.text(desk.say("kiln.title"), t.title, Face::serif);
       column.space(t.gap);
       column.text(desk.say("kiln.choose"), t.body);
+      if (desk.decorated && !desk.decorated->bare()) {
+        column.space(t.gap);
+        column.text(desk.say("decorate.did", {{"what", did_in_words(desk, *desk.decorated)}}),
+                    t.body, Face::sans, view::kFaintInk);
+      }
       return;
     }
     const content::Glaze& glaze = chosen();
@@ -141,7 +142,9 @@ class KilnScreen final : public Screen {
       chosen_at_ = desk.now;
     }
   }
-  void back() override { desk.go(ScreenId::result); }
+  void back() override {
+    desk.go(desk.wheel().way != nullptr && desk.glaze < 0 ? ScreenId::decorate : ScreenId::result);
+  }
 
   /// A touch on the pot skips ahead.
   void pointer(const view::InputEvent& e, const Page&) override {
@@ -149,6 +152,12 @@ class KilnScreen final : public Screen {
   }
 
  private:
+  /// The slips of a decorated pot get their fired colours while nobody sees more than its glow.
+  void burn_slips(double dt) {
+    if (!desk.decorated) return;
+    desk.decorated->fire(desk.glaze >= 0 && fired_ >= kHottest);
+    desk.decorated->update(dt);
+  }
   static std::string glaze_control(int i) { return "kiln.glaze." + std::to_string(i); }
   const content::Glaze& glaze_at(int i) const {
     return (*kiln_.glazes)[static_cast<std::size_t>(i)];
@@ -158,7 +167,7 @@ class KilnScreen final : public Screen {
 
   std::vector<Button> glaze_buttons() const {
     std::vector<Button> row;
-    for (int i = 0; i < static_cast<int>(kiln_.glazes->size()); ++i) {
+    for (const int i : kiln_.order) {
       Button button{glaze_control(i), glaze_at(i).name_in(desk.words().code()),
                     i == desk.glaze ? Look::chosen : Look::outline};
       button.on = i == desk.glaze;

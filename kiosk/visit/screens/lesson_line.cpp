@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kiosk/visit/screens/target_line.h"
 
@@ -16,6 +17,7 @@ constexpr double kRimShare = 0.9;     // of the pot's height: above it is the ri
 constexpr double kRaised = 1.0 / 3;   // of the pot's height, in one stroke
 constexpr double kStrokeEnds = 0.4;   // s off the clay
 constexpr double kShapedShare = 0.5;  // of the heights are on the line
+constexpr double kOpened = 0.25;      // of the most that it must become wider
 constexpr double kLook = 0.25;        // s between two checks of the outline
 constexpr double kCut = 0.99;         // of the section
 
@@ -28,18 +30,29 @@ double share_on_line(const Profile& made, const Profile& target) {
   }
   return static_cast<double>(near) / (kHeights - 1);
 }
+/// How much the line asks the hollow part of `pot` to become wider, at most, m; and how much the
+/// inside of `made` is wider than that of `pot` there, at most.
+struct Opening {
+  double asked = 0, done = 0;
+};
+Opening opening(const Profile& pot, const Profile& made, const Profile& target) {
+  Opening most;
+  const double height = std::min({target.height(), pot.height(), made.height()});
+  constexpr int kHeights = 48;
+  for (int n = 1; n < kHeights; ++n) {
+    const double h = height * n / kHeights;
+    const double lacks = target.outer_at(h) - pot.outer_at(h);
+    if (h <= pot.floor_height() || lacks <= tolerance(target)) continue;
+    most.asked = std::max(most.asked, lacks);
+    most.done = std::max(most.done, made.inner_at(h) - pot.inner_at(h));
+  }
+  return most;
+}
 /// True where the line asks for it. To open a lump that is wider than its vessel everywhere would
 /// be wrong.
 bool asked_for(DoneWhen what, const Profile* target, const Profile& made) {
   if (what != DoneWhen::opened || target == nullptr || made.points.empty()) return true;
-  const double height = std::min(target->height(), made.height());
-  constexpr int kHeights = 48;
-  for (int n = 1; n < kHeights; ++n) {
-    const double h = height * n / kHeights;
-    const bool hollow = h > made.floor_height();
-    if (hollow && target->outer_at(h) > made.outer_at(h) + tolerance(*target)) return true;
-  }
-  return false;
+  return opening(made, made, *target).asked > 0;
 }
 }  // namespace
 
@@ -68,44 +81,58 @@ void LessonLine::skip(Desk& desk) {
   if (desk.world.lesson != nullptr) desk.lesson_step = desk.world.lesson->size();
 }
 
+void LessonLine::begin(const Profile& made) {
+  done_ = 0;
+  touched_ = at_rim_ = 0;
+  lowest_ = -1;
+  began_with_ = made;
+}
+
 void LessonLine::watch(const Desk& desk, double dt, const Profile* target, const Profile& made) {
   const loop::LoopStatus& status = desk.status;
+  if (!desk.touched || began_with_.points.empty()) begin(made);
   const double height = std::max(made.points.empty() ? 0.0 : made.height(), 0.01);
   bool contact = false;
-  double highest = 0;
+  double at = 0;
   for (std::size_t n = 0; n < status.feedback.hand.size(); ++n) {
     if (!status.feedback.hand[n].contact) continue;
     contact = true;
-    if (status.feedback.hand[n].side == WallSide::inside) inside_ += dt;
-    highest = std::max(highest, status.hand[n].at.y);
+    at = std::max(at, status.hand[n].at.y);
   }
   apart_ = contact ? 0 : apart_ + dt;
-  if (apart_ > kStrokeEnds) lowest_ = -1;
   if (contact) {
     touched_ += dt;
-    lowest_ = lowest_ < 0 ? highest : std::min(lowest_, highest);
-    if (highest - lowest_ > kRaised * height) note(DoneWhen::raised);
-    if (highest > kRimShare * height) at_rim_ += dt;
+    lowest_ = lowest_ < 0 ? at : std::min(lowest_, at);
+    highest_ = std::max(highest_, at);
+    rose_ = std::max(rose_, at - lowest_);
+    if (at > kRimShare * height) at_rim_ += dt;
   }
+  // A stroke has raised the wall when it arrives at the rim or ends, not on its way.
+  const bool arrived = highest_ > kRimShare * height || apart_ > kStrokeEnds;
+  if (rose_ > kRaised * height && arrived) note(DoneWhen::raised);
+  if (apart_ > kStrokeEnds) lowest_ = -1, highest_ = rose_ = 0;
   if (touched_ > kTouch) note(DoneWhen::touched);
-  if (inside_ > kTouch) note(DoneWhen::opened);
   if (at_rim_ > kTouch) note(DoneWhen::rim);
   if (status.feedback.cut_free > kCut) note(DoneWhen::cut);
   looked_ += dt;
   if (looked_ < kLook || target == nullptr || made.points.empty()) return;
   looked_ = 0;
   if (share_on_line(made, *target) > kShapedShare) note(DoneWhen::shaped);
+  const Opening so_far = opening(began_with_, made, *target);
+  if (so_far.asked > 0 && so_far.done > kOpened * so_far.asked) note(DoneWhen::opened);
 }
 
 void LessonLine::update(Desk& desk, double dt, const Profile* target, const Profile& made,
                         bool alone) {
+  if (std::exchange(step_, desk.lesson_step) != desk.lesson_step) in_step_ = 0;  // begun anew
   const LessonStep* step = shown(desk);
   if (step == nullptr) return;
   if (alone) watch(desk, dt, target, made);
   in_step_ += dt;
-  while (step != nullptr &&
-         (has(step->until) || in_step_ > step->after || !asked_for(step->until, target, made))) {
-    ++desk.lesson_step;
+  const bool at_work = apart_ <= kStrokeEnds;
+  while (step != nullptr && (has(step->until) || (in_step_ > step->after && !at_work) ||
+                             !asked_for(step->until, target, made))) {
+    step_ = ++desk.lesson_step;
     in_step_ = 0;
     step = shown(desk);
   }

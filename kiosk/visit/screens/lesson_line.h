@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -7,10 +8,10 @@
 
 namespace onggi::screens {
 
-/// Leads one visitor through the exhibit's lesson: a step is shown until the visitor has done it or
-/// its time is up. A step that was done earlier is skipped, and so is one that the line denies. The
-/// desk keeps the position, so that no step comes twice when the visitor leaves the wheel and
-/// returns.
+/// Leads one visitor through the exhibit's lesson: a step is shown until the visitor has done it,
+/// or its time is up and the hands rest. A step that was done earlier is skipped, and so is one
+/// that the line denies. The desk keeps the position, so that no step comes twice when the visitor
+/// leaves the wheel and returns to the same pot.
 class LessonLine {
  public:
   /// Call once a frame with the pot on the wheel. `alone`: the visitor's own hands work.
@@ -24,18 +25,23 @@ class LessonLine {
   static std::string by_keys(const Desk& desk, content::DoneWhen until);
 
  private:
+  /// Forgets what was done at other clay.
+  void begin(const Profile& made);
   void watch(const Desk& desk, double dt, const Profile* target, const Profile& made);
   bool has(content::DoneWhen what) const {
     return (done_ >> static_cast<unsigned>(what) & 1u) != 0;
   }
   void note(content::DoneWhen what) { done_ |= 1u << static_cast<unsigned>(what); }
 
-  std::uint32_t done_ = 0;  ///< Bits by DoneWhen, since the visitor came to the wheel.
-  double touched_ = 0, inside_ = 0, at_rim_ = 0;  ///< s so far.
-  double lowest_ = -1;  ///< Height where the current stroke began to rise, m; negative: none.
-  double apart_ = 0;    ///< s since the last contact with clay.
-  double in_step_ = 0;  ///< s that the step has been shown.
-  double looked_ = 0;   ///< s since the outline was checked.
+  std::uint32_t done_ = 0;            ///< Bits by DoneWhen, since the visitor came to this clay.
+  Profile began_with_;                ///< The clay then.
+  double touched_ = 0, at_rim_ = 0;   ///< s so far.
+  double lowest_ = -1, highest_ = 0;  ///< Heights of the current stroke, m; negative: none.
+  double rose_ = 0;                   ///< The most that the stroke has risen, m.
+  double apart_ = 0;                  ///< s since the last contact with clay.
+  double in_step_ = 0;                ///< s that the step has been shown.
+  double looked_ = 0;                 ///< s since the outline was checked.
+  std::size_t step_ = 0;              ///< Desk::lesson_step at the last look.
 };
 
 }  // namespace onggi::screens

@@ -60,6 +60,7 @@ Padding padding(const Button& button, const TypeScale& t) {
   if (button.look == Look::quiet || button.look == Look::plain) return {0, t.body * 0.2f};
   return {t.body * (button.tight ? 0.35f : 0.7f), t.body * 0.32f};
 }
+constexpr float kSketch = 1.35f;  // of the least touch target
 float swatch_width(const TypeScale& t) { return t.body * 1.45f; }
 view::TextStyle button_style(const Page& page, const Button& button) {
   view::TextStyle s = page.style(Face::sans, page.type().body, Align::centre);
@@ -71,6 +72,7 @@ view::TextStyle button_style(const Page& page, const Button& button) {
 
 view::TextMeasure::Size Page::size(const Button& button, float at_most) const {
   if (!button.drawing.empty()) return {type().target, type().target};
+  if (!button.sketch.empty()) return {type().target * kSketch, type().target * kSketch};
   const Padding pad = padding(button, type());
   const auto style = button_style(*this, button);
   const float aside = button.swatch ? swatch_width(type()) : 0;
@@ -140,6 +142,7 @@ void Page::button(const Button& button, const Rect& rect) {
       const float at = right_to_left() ? rect.x + rect.w - pad.x * 0.8f - w : rect.x + pad.x * 0.8f;
       test_tile({at, rect.y + (rect.h - h) / 2, w, h}, *button.swatch);
     }
+    if (!button.sketch.empty()) sketched(button, rect);
     if (!button.words.empty()) words(box, button.words, style, ink);
     if (button.look == Look::chosen) tick(rect);
   }
@@ -173,6 +176,15 @@ void Page::drawn(const Button& button, const Rect& rect) {
   for (PenStroke stroke : pen_strokes(button.drawing)) {
     for (auto& [px, py] : stroke) px = x + px * unit, py = y + py * unit;
     draw(view::Line{std::move(stroke), {view::kCobalt}, std::max(1.5f, unit * 1.1f)});
+  }
+}
+
+void Page::sketched(const Button& button, const Rect& rect) {
+  const float side = 0.8f * std::min(rect.w, rect.h);
+  const float x = rect.x + (rect.w - side) / 2, y = rect.y + (rect.h - side) / 2;
+  for (auto points : button.sketch) {
+    for (auto& [px, py] : points) px = x + px * side, py = y + py * side;
+    draw(view::Line{std::move(points), {view::kCobalt}, std::max(1.2f, side / 40)});
   }
 }
 

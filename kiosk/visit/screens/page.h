@@ -50,6 +50,8 @@ struct Button {
   /// A drawing in place of the words (pen_strokes). In a row of foot_buttons() it stands in the
   /// words' outer corner of the page, the same place on every screen.
   std::string_view drawing = {};
+  /// Lines in place of the words, in a square from (0, 0) to (1, 1).
+  std::vector<std::vector<std::pair<float, float>>> sketch = {};
   bool tight = false;           ///< Less space beside the words.
   std::string language = {};    ///< Language code of the words, if it differs from the page's.
   std::optional<bool> on = {};  ///< State for speech, if the button stays on.
@@ -118,6 +120,7 @@ class Page {
   void touched(const Control& control);
   void test_tile(const view::Rect& rect, view::Color glaze);
   void drawn(const Button& button, const view::Rect& rect);
+  void sketched(const Button& button, const view::Rect& rect);
   /// The tick at the far upper corner of a choice that is on.
   void tick(const view::Rect& rect);
   void switch_halves(const Button& button, const view::Rect& rect);

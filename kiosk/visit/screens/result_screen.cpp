@@ -63,7 +63,10 @@ class Result final : public Screen {
     Column column(page, page.where().words);
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap * 1.5f);
-    const std::string on = desk.wheel().kiln ? desk.say("result.fire") : desk.say("result.keep");
+    const std::string on = desk.say(decorates()          ? "result.decorate"
+                                    : !desk.wheel().kiln ? "result.keep"
+                                    : desk.glaze < 0     ? "result.fire"
+                                                         : "result.fired");
     std::vector<Button> ways{{"result.keep", on, Look::solid}};
     if (onward_) ways.push_back({"result.onward", onward_->words(desk), Look::outline});
     ways.push_back({"result.again", desk.say("result.again"), Look::outline});
@@ -95,6 +98,7 @@ class Result final : public Screen {
 
   void press(const std::string& control) override {
     if (control == "result.keep") {
+      if (decorates()) return desk.go(ScreenId::decorate);
       if (!desk.wheel().kiln) desk.keep_pot();
       desk.go(desk.wheel().kiln ? ScreenId::kiln : ScreenId::keepsake);
     } else if (control == "result.again") {
@@ -126,6 +130,8 @@ class Result final : public Screen {
     const auto& all = desk.score.try_next;
     return {all.data(), std::min(all.size(), desk.exactly ? kMostRemarks : 1)};
   }
+  /// A pot that is fired is decorated no more.
+  bool decorates() const { return desk.wheel().way != nullptr && desk.glaze < 0; }
   double own_speed() const { return desk.screen().left_handed ? -kAlone : kAlone; }
   void remarks(Column& column, const TypeScale& t, const std::string& heading,
                const std::vector<score::Remark>& all, std::size_t most = kMostRemarks) const {

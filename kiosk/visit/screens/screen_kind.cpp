@@ -3,6 +3,7 @@
 #include "kiosk/visit/screens/attract_screen.h"
 #include "kiosk/visit/screens/choose_screen.h"
 #include "kiosk/visit/screens/clay_screen.h"
+#include "kiosk/visit/screens/decorate_screen.h"
 #include "kiosk/visit/screens/fault_screen.h"
 #include "kiosk/visit/screens/keepsake_screen.h"
 #include "kiosk/visit/screens/kiln_screen.h"
@@ -18,6 +19,7 @@ constexpr ScreenKind kKinds[] = {
     {.id = ScreenId::choose, .name = "choose", .make = make_choose},
     {.id = ScreenId::throwing, .name = "throw", .make = make_throwing},
     {.id = ScreenId::result, .name = "result", .make = make_result, .reads_long = true},
+    {.id = ScreenId::decorate, .name = "decorate", .make = make_decorate, .reads_long = true},
     {.id = ScreenId::kiln, .name = "kiln", .make = make_kiln, .reads_long = true, .fires = true},
     {.id = ScreenId::keepsake, .name = "keepsake", .make = make_keepsake, .reads_long = true},
     {.id = ScreenId::fault, .name = "fault", .make = make_fault},

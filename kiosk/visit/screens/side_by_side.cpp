@@ -11,7 +11,7 @@ using view::Rect;
 
 namespace {
 
-constexpr double kTurning = 0.5;  // rad/s: one turn in about twelve seconds
+constexpr double kTurning = 0.8;  // rad/s: one turn in about eight seconds
 // Share of a picture's height, added to the pot's, because its mouth is an ellipse.
 constexpr double kEllipse = 0.5;
 constexpr float kPicturesShare = 0.6f;  // of the height, if the drawing is below
@@ -62,8 +62,9 @@ SideBySide::SideBySide(const Desk& desk) {
 
 void SideBySide::update(const Desk& desk, const Turntable& table, double dt) {
   if (table.stands(desk.now) || desk.still()) return;
-  const double speed = desk.screen().left_handed ? -kTurning : kTurning;
-  angle_ = std::remainder(angle_ + speed * dt, kWholeTurn);
+  turned_ = std::min(turned_ + kTurning * dt, kWholeTurn);
+  const double angle = desk.screen().left_handed ? -turned_ : turned_;
+  angle_ = std::remainder(angle, kWholeTurn);
 }
 
 float SideBySide::names_height(const Page& page, const Desk& desk, float width) const {

@@ -9,7 +9,8 @@
 namespace onggi::screens {
 
 /// The vessel and the visitor's pot on one ground, at one scale and in one light, turning together:
-/// by themselves, unless motion is reduced, and with `table`. The section drawing of both is beside
+/// once by themselves, unless motion is reduced, and with `table`. Then they stand, because a
+/// picture that stands is drawn in full quality. The section drawing of both is beside
 /// them, and their names are below, each with its kind of line.
 class SideBySide {
  public:
@@ -39,7 +40,7 @@ class SideBySide {
             bool pots) const;
 
   double height_ = 0.2, radius_ = 0.1;  ///< Of the larger of the two, including handles, m.
-  double angle_ = 0;                    ///< Automatic turning so far, rad.
+  double turned_ = 0, angle_ = 0;       ///< By themselves so far, 0 to 2 pi, and as an angle, rad.
   view::Rect room_;
   float half_turn_ = 400;
   view::Camera vessel_at_, pot_at_;

@@ -34,11 +34,15 @@ namespace {
 constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
 // Opacity of the pot: faint words over black clay keep a contrast of 4.5.
 constexpr double kBehindTools = 0.05;
+constexpr int kGoodPot = 4;  // stars: from here on nothing need be corrected
 
 class Throwing final : public Screen {
  public:
   explicit Throwing(Desk& d)
-      : Screen(d), hands_(d.wheel(), d.two_hands() && !StrokeBoard::wanted(d)), speed_(d) {}
+      : Screen(d),
+        hands_(d.wheel(), d.two_hands() && !StrokeBoard::wanted(d)),
+        speed_(d),
+        by_keys_(d.by_keys) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
     if (!by_buttons()) return "";
@@ -81,11 +85,12 @@ class Throwing final : public Screen {
     if (desk.pot_ready() && !mishap_)
       lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
     measured_.update(desk, picture_.made());
+    look_how_good(target);
     // Say nothing about the previous pot.
     if (desk.pot_ready())
-      hint_.update(desk.now,
-                   {target, &picture_.made(), speed_.asked() > 0.5, grip_, desk.touched,
-                    water_.asked_for(), desk.wheel().tool_radius, MeasuredPot::hint(desk)});
+      hint_.update(desk.now, {target, &picture_.made(), score_ ? &*score_ : nullptr,
+                              speed_.asked() > 0.5, grip_, desk.touched, water_.asked_for(),
+                              desk.wheel().tool_radius, MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -116,24 +121,25 @@ class Throwing final : public Screen {
 
   void lay_out(Page& page) override {
     const bool whole = !mishap_;
-    const ThrowingControls now{
-        speed_.asked(),
-        grip(),
-        water_.wet(),
-        cut_,
-        water_.would_help(),
-        desk.touched && whole && drawer_ == Drawer::closed && LessonLine::leaves_off(desk),
-        desk.status.can_restore && whole,
-        show_.button(desk, aim() == nullptr || dark() || hands_.two()),
-        whole && LessonLine::shown(desk) != nullptr,
-        drawer_,
-        held_,
-        mishap_.now(),
-        StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
-        parts(),
-        working(),
-        by_keys_,
-        clay_.asked_for(desk) ? kClayFirst : desk.note()};
+    const bool onward = desk.touched && whole && drawer_ == Drawer::closed &&
+                        LessonLine::leaves_off(desk) && !asks_for_more();
+    const ThrowingControls now{speed_.asked(),
+                               grip(),
+                               water_.wet(),
+                               cut_,
+                               water_.would_help(),
+                               onward,
+                               desk.status.can_restore && whole,
+                               show_.button(desk, aim() == nullptr || dark() || hands_.two()),
+                               whole && LessonLine::shown(desk) != nullptr,
+                               drawer_,
+                               held_,
+                               mishap_.now(),
+                               StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
+                               parts(),
+                               working(),
+                               by_keys_,
+                               clay_.asked_for(desk) ? kClayFirst : desk.note()};
     give_the_pot_its_room(page, desk, now);
     camera_ = picture_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card);
@@ -379,6 +385,24 @@ class Throwing final : public Screen {
     drawer_ = which;
   }
 
+  /// Four times a second, by the measure of the result: what is said now is said there.
+  void look_how_good(const Profile* target) {
+    if (target == nullptr || target->points.empty() || picture_.made().points.empty() ||
+        desk.described() != nullptr || desk.now - judged_ < 0.25)
+      return;
+    judged_ = desk.now;
+    score_ = desk.judged(*desk.shelf_card(desk.card), picture_.made());
+    if (!working()) good_ = score_->stars >= kGoodPot;
+  }
+  /// The words ask for water, or to correct a pot that is not good yet.
+  bool asks_for_more() const {
+    const Hint& hint = hint_.shown();
+    if (LessonLine::shown(desk) != nullptr) return false;  // the wire is what it asks for
+    if (hint.key == "hint.dry") return true;
+    return desk.described() != nullptr ? hint.key != "mission.close"
+                                       : hint.key != "hint.close" && !good_;
+  }
+
   /// After a fall or a tear: releases the pot, and puts the undo where eyes and keys are.
   void look_for_mishaps() {
     if (!mishap_.update(desk)) return;
@@ -405,8 +429,11 @@ class Throwing final : public Screen {
   WheelSpeed speed_;
   MeasuredPot measured_;
   Grip grip_ = Grip::both;
-  bool cut_ = false, cut_chosen_ = false, menu_ = false, done_ = false, by_keys_ = false,
-       worked_ = false;
+  bool by_keys_;                       ///< The visitor's last input was a key.
+  std::optional<score::Score> score_;  ///< What the pot would get,
+  double judged_ = -10;                ///< when it was last looked at.
+  bool good_ = false;                  ///< It had kGoodPot stars when last no hand worked.
+  bool cut_ = false, cut_chosen_ = false, menu_ = false, done_ = false, worked_ = false;
   int strokes_ = 0;  ///< Finished strokes.
   double inside_until_ = -1;
   std::uint32_t serial_ = 0;

@@ -19,7 +19,10 @@ void TouchedClay::look(Desk& desk, bool contact) {
   }
 }
 
-void TouchedClay::renewed(Desk& desk) { renewed_ = std::exchange(desk.touched, false) || renewed_; }
+void TouchedClay::renewed(Desk& desk) {
+  renewed_ = desk.touched || renewed_;
+  desk.fresh_clay();
+}
 
 void TouchedClay::undone(Desk& desk) {
   desk.touched = std::exchange(renewed_, false) || desk.touched;

@@ -176,6 +176,18 @@ void Visit::speak(const std::string& code) {
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].code() == code) state_->set_language(i);
 }
+const decorating::DecoratedPot* Visit::decorated_pot() const {
+  return state_->desk.decorated.get();
+}
+
+const decoration::CoatPicture* Visit::decoration() const {
+  const ScreenId on = screen();
+  const bool shown = on == ScreenId::result || on == ScreenId::decorate || on == ScreenId::kiln ||
+                     on == ScreenId::keepsake;
+  const auto& pot = state_->desk.decorated;
+  return shown && pot && !pot->bare() ? &pot->picture() : nullptr;
+}
+
 double Visit::force_share() const { return state_->desk.force.share(); }
 double Visit::volume_share() const {
   const Desk& desk = state_->desk;

@@ -16,6 +16,7 @@
 #include "kiosk/picture/view/frame.h"
 #include "kiosk/picture/view/input.h"
 #include "kiosk/picture/view/measure.h"
+#include "kiosk/visit/decorating/decorated_pot.h"
 #include "kiosk/visit/screens/advice.h"
 #include "kiosk/visit/screens/device_news.h"
 #include "kiosk/visit/screens/screen_text.h"
@@ -32,6 +33,7 @@ struct Kiln {
   double fired_size = 1.0;  ///< Size after firing, as a share of the thrown length.
   double coat = 1.0;        ///< Thickness of the glass, as a share of 0.5 mm.
   const std::vector<content::Glaze>* glazes = nullptr;  ///< The choices; at least one.
+  std::vector<int> order;  ///< All their indices, as they are offered: the vessel's own first.
 };
 
 /// The part of a vessel's scene that the screens need.
@@ -59,6 +61,8 @@ struct SceneForVisitor {
   };
   std::vector<Tool> tools;  ///< All of the scene's tools, in the tray's order.
   std::optional<Kiln> kiln;
+  /// How visitors may decorate the pot; null: not at all. Outlives the visit.
+  const decoration::Way* way = nullptr;
   std::vector<std::string> shown{"follow"};  ///< Scripts of attract mode, pot by pot; at least one.
   bool keeps_clay = false;                   ///< Clay keeps its volume, so pressing raises the pot.
   double tear_thickness = 0;                 ///< Metres: a thinner wall tears; 0: no wall tears.
@@ -97,6 +101,9 @@ struct MakeKeepsake {
   score::Score score;
   Profile made;    ///< As thrown.
   int glaze = -1;  ///< Index in Kiln::glazes; -1: not fired.
+  /// Null: not decorated. Its words are of the visitor's language.
+  std::shared_ptr<const decorating::DecoratedPot> decorated{};
+  std::string decorated_how{};
 };
 /// The visit is over: discard postcard and replay. `notes` is empty if nobody used the screen.
 struct VisitEnded {
@@ -131,10 +138,10 @@ struct WheelSnapshot {
   Hint hint;
 };
 
-/// The visit as a state machine: attract -> (clay ->) choose -> throw -> result -> kiln (if there
-/// is one) -> keepsake -> attract, with the idle warning over any of them but attract. Knows no
-/// clock, window or file: time and input come in; frames, commands and requests go out. Main
-/// thread.
+/// The visit as a state machine: attract -> (clay ->) choose -> throw -> result -> decorate (if the
+/// vessel has a way) -> kiln (if there is one) -> keepsake -> attract, with the idle warning over
+/// any of them but attract. Knows no clock, window or file: time and input come in; frames,
+/// commands and requests go out. Main thread.
 class Visit {
  public:
   explicit Visit(const VisitInputs& world);
@@ -165,6 +172,10 @@ class Visit {
   const std::string& language() const;  ///< Code in use.
   /// Switches to the language of this code, if the exhibit has it, without a visitor's request.
   void speak(const std::string& code);
+  /// The pot that the visitor decorates; null before it was begun.
+  const decorating::DecoratedPot* decorated_pot() const;
+  /// The decoration of the pot that is shown; null: none.
+  const decoration::CoatPicture* decoration() const;
   /// The visitor's share of the force, 0 (off) .. 1.
   double force_share() const;
   /// The visitor's volume, 0 (silent) .. 1 of the exhibit's.

@@ -8,7 +8,7 @@
 namespace onggi::screens {
 
 /// In the order of a visit; a row each in screen_kind.cpp.
-enum class ScreenId { attract, clay, choose, throwing, result, kiln, keepsake, fault };
+enum class ScreenId { attract, clay, choose, throwing, result, decorate, kiln, keepsake, fault };
 std::string_view name_of(ScreenId id);  ///< ScreenKind::name: "throw", "kiln"
 
 /// The countable facts of a finished visit, without anything about the visitor.

@@ -124,7 +124,7 @@ void Visit::State::pointer(const InputEvent& e) {
     return;
   }
   if (!screen->keys_are_anothers()) {
-    by_keys = false;
+    by_keys = desk.by_keys = false;
     focused.clear();
   }
   // Nobody means what they have not seen yet.
@@ -172,7 +172,7 @@ void Visit::State::pointer(const InputEvent& e) {
 }
 
 void Visit::State::key(const InputEvent& e) {
-  by_keys = true;
+  by_keys = desk.by_keys = true;
   if (over == Over::idle) {
     if (e.key == Key::language) open_languages();
     if (e.key == Key::comfort) open_comfort();

@@ -110,6 +110,9 @@ void Speaker::play(float* out, int samples) noexcept {
   Heard heard = listen_();
   heard.volume = volume_.load(std::memory_order_relaxed);
   heard.fire = fire_.load(std::memory_order_relaxed);
+  if (const double push = rub_push_.load(std::memory_order_relaxed); push > 0.0)
+    heard.rub[0] = {static_cast<Rub::Kind>(rubbed_.load(std::memory_order_relaxed)),
+                    rub_slip_.load(std::memory_order_relaxed), push};
   bool rubs = false;
   for (const Rub& rub : heard.rub) rubs = rubs || rub.push > 0.0;
   if (rubs && !std::exchange(rubs_, rubs)) {

@@ -31,7 +31,7 @@ class Speaker {
   static constexpr int kPriority = 70;
 
   /// SDL's thread calls `listen` for every block; it must not block or throw. volume() and fire()
-  /// replace its volume and fire. A missing card is no error: see remark().
+  /// replace its volume and fire, rub() its first hand. A missing card is no error: see remark().
   explicit Speaker(std::function<Heard()> listen);
   ~Speaker();
   Speaker(const Speaker&) = delete;
@@ -40,6 +40,12 @@ class Speaker {
   void volume(double share) { volume_.store(share, std::memory_order_relaxed); }  ///< 0..1
   /// Played from the next block on.
   void sing(const OutlineSong& song);
+  /// What a hand rubs besides the wheel's clay; its `push` 0: nothing.
+  void rub(const Rub& rub) {
+    rubbed_.store(static_cast<int>(rub.kind), std::memory_order_relaxed);
+    rub_slip_.store(rub.slip, std::memory_order_relaxed);
+    rub_push_.store(rub.push, std::memory_order_relaxed);
+  }
   void fire(double share) { fire_.store(share, std::memory_order_relaxed); }  ///< 0..1
   /// Call once a frame, `now` in s on a clock that never goes back.
   void look(double now);
@@ -71,7 +77,8 @@ class Speaker {
   std::array<OutlineSong, 4> songs_;
   std::atomic<unsigned> sung_{0};
   unsigned heard_song_ = 0;  ///< SDL's thread only.
-  std::atomic<double> volume_{0.0}, fire_{0.0};
+  std::atomic<double> volume_{0.0}, fire_{0.0}, rub_slip_{0.0}, rub_push_{0.0};
+  std::atomic<int> rubbed_{0};
   std::atomic<std::uint64_t> blocks_{0}, late_{0}, touches_{0};
   std::atomic<std::int64_t> worst_gap_ns_{0}, touched_ns_{0};
   std::string remark_, said_;

@@ -1,12 +1,15 @@
 #include "kiosk/wheel/device/ghost_finger.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace onggi::device {
 
 namespace {
 constexpr double kApart = 0.02;  // m between two fingers that do not squeeze yet
-}
+// s of a stroke at once: where frames are few, a finger that leapt would leave ring upon ring.
+constexpr double kLongestAtOnce = 0.1;
+}  // namespace
 
 void GhostFinger::begin(Stroke stroke, double sign, PointerLead& hands, const ClayView& clay) {
   if (stroke.path.empty()) return;
@@ -36,7 +39,7 @@ void GhostFinger::draw(double dt, PointerLead& hands, const ClayView& clay) {
     stroke_.reset();
     return;
   }
-  double way = stroke_->speed * dt;
+  double way = stroke_->speed * std::min(dt, kLongestAtOnce);
   while (next_ < stroke_->path.size() && way > 0) {
     const Vec2 to = stroke_->path[next_], rest = to - at_;
     const double left = length(rest);

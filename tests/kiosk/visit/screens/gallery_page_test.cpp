@@ -36,6 +36,24 @@ TEST(Gallery, AnEmptyOneIsSpokenOfNowhere) {
   EXPECT_FALSE(v.visit->control("keepsake.gallery"));
 }
 
+// "I have finished" went up as the way to today's pots came, and a finger opened these.
+TEST(Gallery, ItsWayComesToTheKeepsakeAndMovesNoOtherButton) {
+  Visitor v(9, nullptr, false, true);
+  v.make_result();
+  v.touch("result.keep");
+  v.frames(1);
+  const auto done = v.visit->control("keepsake.done"), again = v.visit->control("keepsake.again");
+  ASSERT_TRUE(done && again && !v.visit->control("keepsake.gallery"));
+  v.keep_today(3);
+  v.frames(1);
+  const auto way = v.visit->control("keepsake.gallery");
+  ASSERT_TRUE(way);
+  EXPECT_EQ(v.visit->control("keepsake.done")->y, done->y);
+  EXPECT_EQ(v.visit->control("keepsake.done")->x, done->x);
+  EXPECT_EQ(v.visit->control("keepsake.again")->y, again->y);
+  EXPECT_LT(way->y + way->h, done->y);
+}
+
 TEST(Gallery, AfterAPotOfAttractTodaysAreShownForAWhileAndAnyTouchBegins) {
   Visitor v(9, nullptr, false, true);
   v.keep_today(3);

@@ -81,12 +81,36 @@ TEST(KilnScreen, TheWordsSayHowMuchItShrankInBothLanguages) {
   v.make_result();
   EXPECT_EQ(words_in(v.frame).find("175 mm"), std::string::npos);
   v.glaze_and_fire();
-  EXPECT_NE(words_in(v.frame).find("It shrank by 12.5 % in drying and firing: 200 mm → 175 mm."),
+  EXPECT_NE(words_in(v.frame).find(
+                "It shrank by 12.5 % in drying and firing: 200 mm (thin line) → 175 mm."),
             std::string::npos)
       << words_in(v.frame);
   v.speak("ko");
-  EXPECT_NE(words_in(v.frame).find("12.5 % 줄었습니다. 200 mm → 175 mm"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("12.5 % 줄었습니다. 200 mm(가는 선) → 175 mm"),
+            std::string::npos);
   EXPECT_NE(words_in(v.frame).find("백자"), std::string::npos);
+}
+
+// A line that no word explains is a riddle.
+TEST(KilnScreen, TheThrownSizeIsALineOnlyWhereTheWordsSaySo) {
+  KilnVisitor v;
+  const auto lines = [&] {
+    return std::ranges::count_if(v.frame.items, [](const view::Item& item) {
+      return std::holds_alternative<view::Line>(item);
+    });
+  };
+  v.make_result();
+  v.touch("result.keep");
+  const auto without = lines();
+  v.frames(6);
+  EXPECT_EQ(lines(), without) << "it dries, and no glaze is chosen";
+  v.touch("kiln.glaze.0");
+  v.frames(2);
+  EXPECT_GT(lines(), without);
+  EXPECT_NE(words_in(v.frame).find("thin line"), std::string::npos) << words_in(v.frame);
+  v.frames(10);
+  EXPECT_GT(lines(), without);
+  EXPECT_NE(words_in(v.frame).find("thin line"), std::string::npos) << words_in(v.frame);
 }
 
 TEST(KilnScreen, WhereALanguageWritesACommaItShrankByThat) {

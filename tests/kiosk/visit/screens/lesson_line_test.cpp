@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <vector>
+
 #include "tests/kiosk/visit/screens/visitor.h"
 
 namespace onggi::screens {
@@ -31,6 +35,31 @@ struct Learner : Visitor {
     status.feedback.hand[0].contact = false;
     frames(0.5);
   }
+  /// The wall, half-way up, moves so far outwards from where it is.
+  void push_out(double by) {
+    for (int j = clay.floor_rows(); j < clay.rows(); ++j) {
+      const double off = (clay.row_height(j) - 0.08) / 0.03;
+      const auto moved = static_cast<float>(by * std::exp(-off * off));
+      std::vector<float> outer(clay.outer(j).begin(), clay.outer(j).end());
+      std::vector<float> inner(clay.inner(j).begin(), clay.inner(j).end());
+      for (float& r : outer) r += moved;
+      for (float& r : inner) r += moved;
+      clay.shape(j, outer, inner);
+    }
+    frames(0.5);
+  }
+  /// One stroke from `low` up to `high`; the hands stay on the clay.
+  void stroke_up(double low, double high) {
+    meet();
+    for (double h = low; h < high; h += 0.005) {
+      status.hand[0].at = {0.06, h, 0};
+      frames(0.1);
+    }
+  }
+  void let_go() {
+    status.feedback.hand[0] = {};
+    frames(0.5);
+  }
 };
 
 TEST(LessonLine, EachStepIsOverWhenTheVisitorHasDoneItAndTheNextComes) {
@@ -40,21 +69,56 @@ TEST(LessonLine, EachStepIsOverWhenTheVisitorHasDoneItAndTheNextComes) {
   EXPECT_TRUE(says(v, "press a little")) << "a brush with the hand is no touch";
   v.touch_clay(0.8);
   EXPECT_TRUE(says(v, "from the inside"));
-  v.touch_clay(1.2, WallSide::inside);
+  v.push_out(0.008);
   EXPECT_TRUE(says(v, "Pull it"));
-  v.meet();
-  for (double h = 0.03; h < 0.12; h += 0.005) {
-    v.status.hand[0].at = {0.06, h, 0};
-    v.frames(0.1);
-  }
-  v.status.feedback.hand[0] = {};
-  v.frames(0.5);
+  v.stroke_up(0.03, 0.12);
+  EXPECT_TRUE(says(v, "Pull it")) << "the stroke goes on";
+  v.let_go();
+  EXPECT_TRUE(says(v, "Shape it"));
+}
+
+TEST(LessonLine, AHandInsideHasNotOpenedThePot) {
+  Learner v;
+  v.status.feedback.hand[1] = {};
+  v.status.feedback.hand[1].contact = true;  // both hands are at the wall, and press it inwards
+  v.status.feedback.hand[1].side = WallSide::inside;
+  v.touch_clay(1.5);
+  v.push_out(-0.004);
+  EXPECT_TRUE(says(v, "from the inside"));
+  v.push_out(0.006);
+  EXPECT_TRUE(says(v, "from the inside")) << "a small way out from where it began";
+  v.push_out(0.008);
+  EXPECT_TRUE(says(v, "Pull it"));
+}
+
+TEST(LessonLine, AStepDoesNotEndInTheMiddleOfAStroke) {
+  Learner v;
+  v.touch_clay(1.2);
+  v.push_out(0.008);
+  ASSERT_TRUE(says(v, "Pull it"));
+  v.frames(v.lesson[2].after - 2);
+  v.stroke_up(0.03, 0.07);
+  v.frames(4);
+  EXPECT_TRUE(says(v, "Pull it")) << "its time is up, and the hands are at work";
+  v.let_go();
+  EXPECT_TRUE(says(v, "Shape it"));
+}
+
+TEST(LessonLine, AStrokeThatReachesTheRimIsDoneThere) {
+  Learner v;
+  v.touch_clay(1.2);
+  v.push_out(0.008);
+  ASSERT_TRUE(says(v, "Pull it"));
+  v.stroke_up(0.03, v.clay.rim_height());
   EXPECT_TRUE(says(v, "Shape it"));
 }
 
 TEST(LessonLine, WhatWasDoneBeforeItsTurnIsNotAskedFor) {
   Learner v;
-  v.touch_clay(1.5, WallSide::inside);  // touched, and inside
+  v.meet();
+  v.frames(0.5);
+  v.push_out(0.008);
+  v.frames(0.5);
   EXPECT_TRUE(says(v, "Pull it"));
 }
 
@@ -95,16 +159,54 @@ TEST(LessonLine, SkippedItDoesNotComeBackToThatVisitorButToTheNextOne) {
   EXPECT_TRUE(says(v, "press a little"));
 }
 
-TEST(LessonLine, AStepThatWasShownDoesNotBeginAnewWithAnotherVessel) {
+TEST(LessonLine, GoesOnAtThePotThatTheVisitorComesBackTo) {
   Learner v;
   v.touch_clay(1.2);
   ASSERT_TRUE(says(v, "from the inside"));
+  v.touch("throw.done");
   v.touch("back");
-  v.touch("leaving.go");
-  v.touch("choose.card.1");
-  v.touch("choose.throw");
   v.frames(0.5);
   EXPECT_TRUE(says(v, "from the inside"));
+}
+
+TEST(LessonLine, FreshClayBeginsItAnew) {
+  const auto again = [](Learner& v) {
+    v.touch("throw.done");
+    v.touch("result.again");
+    v.touch("leaving.go");
+  };
+  const auto another = [](Learner& v) {
+    v.touch("back");
+    v.touch("leaving.go");
+    v.touch("choose.card.1");
+    v.touch("choose.throw");
+  };
+  const auto new_clay = [](Learner& v) {
+    v.touch("throw.renew");
+    v.touch("throw.less");
+  };
+  for (const auto& fresh : std::vector<std::function<void(Learner&)>>{again, another, new_clay}) {
+    Learner v;
+    v.touch_clay(1.2);
+    ASSERT_TRUE(says(v, "from the inside"));
+    fresh(v);
+    v.frames(0.5);
+    EXPECT_TRUE(says(v, "press a little"));
+    v.touch_clay(0.5);
+    EXPECT_TRUE(says(v, "press a little")) << "what was done at other clay does not count";
+  }
+}
+
+TEST(LessonLine, DoesNotBeginAnewForWhoHasFinishedIt) {
+  Learner v;
+  v.exhibit.idle.warn_after = 1000;
+  for (const content::LessonStep& step : v.lesson) v.frames(step.after + 1);
+  ASSERT_FALSE(v.visit->control("throw.skip"));
+  v.touch("throw.done");
+  v.touch("result.again");
+  v.touch("leaving.go");
+  v.frames(0.5);
+  EXPECT_FALSE(says(v, "press a little"));
 }
 
 TEST(LessonLine, StrokesThatAreShownAreNotTheVisitors) {
@@ -115,6 +217,22 @@ TEST(LessonLine, StrokesThatAreShownAreNotTheVisitors) {
   v.status.feedback.hand[0] = {};
   v.touch("throw.show");
   v.frames(0.2);
+  EXPECT_TRUE(says(v, "press a little"));
+}
+
+TEST(LessonLine, WhoComesByKeysReadsOfKeysAtOnce) {
+  Visitor v;
+  v.lesson = content::read_lesson("content/lessons/first_minute.toml", {"en", "ko"}).steps;
+  v.key(view::Key::enter);
+  v.show();
+  ASSERT_TRUE(v.key_to("choose.card.0"));
+  ASSERT_TRUE(v.key_to("choose.throw"));
+  v.frames(0.5);
+  ASSERT_EQ(v.visit->screen(), ScreenId::throwing);
+  EXPECT_TRUE(says(v, "the hands push the clay")) << words_in(v.frame);
+  v.down(900, 300);
+  v.up(900, 300);
+  v.show();
   EXPECT_TRUE(says(v, "press a little"));
 }
 

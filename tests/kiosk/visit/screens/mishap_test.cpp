@@ -105,7 +105,6 @@ TEST(Mishap, BeforeTheTearIsAsManyStepsBackAsItTakes) {
   Visitor v;
   go_back_from_a_tear(v);
   for (int n = 0; n < 90; ++n) {
-    v.status.time += 1.0 / 30;
     v.show();
     if (v.wheel_commands.restored == 3) v.mend();
   }
@@ -117,7 +116,6 @@ TEST(Mishap, AVisitorWhoThrowsOnAfterATearIsNotTakenBackAnyFurther) {
   go_back_from_a_tear(v);
   v.down(900, 300);
   for (int n = 0; n < 60; ++n) {
-    v.status.time += 1.0 / 30;
     v.show();
   }
   EXPECT_EQ(v.wheel_commands.restored, 1);

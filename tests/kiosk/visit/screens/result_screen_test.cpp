@@ -125,5 +125,20 @@ TEST(Result, NothingToTryHasNoArrow) {
     }
 }
 
+TEST(ResultScreen, AFiredPotIsNotOfferedTheFireAgain) {
+  Visitor v(9, nullptr, true);
+  v.make_result();
+  v.frames(1);
+  EXPECT_NE(words_in(v.frame).find("Glaze and fire it"), std::string::npos);
+  v.glaze_and_fire();
+  v.touch("back");
+  v.frames(1);
+  ASSERT_EQ(v.visit->screen(), ScreenId::result);
+  EXPECT_EQ(words_in(v.frame).find("Glaze and fire it"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("Back to the glazes"), std::string::npos);
+  v.touch("result.keep");
+  EXPECT_TRUE(v.visit->control("kiln.keep"));
+}
+
 }  // namespace
 }  // namespace onggi::screens

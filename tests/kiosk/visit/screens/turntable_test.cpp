@@ -50,8 +50,8 @@ struct AtResult : Visitor {
   }
   /// Arrows alone, until the keyboard is on the pots.
   bool go_to_pots() {
-    for (const Key way : {Key::up, Key::right, Key::left, Key::up, Key::up, Key::up, Key::up})
-      if (visit->focus() != kPots) key(way);
+    for (const Key arrow : {Key::up, Key::right, Key::left, Key::up, Key::up, Key::up, Key::up})
+      if (visit->focus() != kPots) key(arrow);
     return visit->focus() == kPots;
   }
   bool ringed() const {
@@ -134,15 +134,15 @@ TEST(Turntable, AnArrowThatIsHeldTurnsAsOftenAsItRepeatsHoweverSeldomThereIsAFra
 TEST(Turntable, UpAndDownAndTabGoOnFromThePotsInEveryLayout) {
   for (const Laid laid : kLaid)
     for (const auto& [width, height] : {std::pair{1280, 720}, {1080, 1920}})
-      for (const Key way : {Key::up, Key::down, Key::next, Key::previous}) {
-        SCOPED_TRACE(std::to_string(width) + " " + std::to_string(static_cast<int>(way)));
+      for (const Key arrow : {Key::up, Key::down, Key::next, Key::previous}) {
+        SCOPED_TRACE(std::to_string(width) + " " + std::to_string(static_cast<int>(arrow)));
         AtResult v(laid);
         v.width = width, v.height = height;
         v.frames(1);
         ASSERT_TRUE(v.go_to_pots());
         bool to_a_button = false;
         for (int n = 0; n < 24; ++n) {
-          v.key(way);
+          v.key(arrow);
           const std::string& on = v.visit->focus();
           to_a_button = to_a_button || (on.starts_with("result.") && on != kPots);
         }

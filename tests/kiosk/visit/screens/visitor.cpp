@@ -98,7 +98,8 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool ke
     const auto read = content::read_glazes("content/glazes.toml", {"en", "ko"});
     EXPECT_TRUE(read.problems.empty());
     glazes = read.glazes;
-    wheel.kiln = Kiln{0.9375, 0.875, 1.0, &glazes};
+    wheel.kiln = Kiln{0.9375, 0.875, 1.0, &glazes, {}};
+    for (int n = 0; n < static_cast<int>(glazes.size()); ++n) wheel.kiln->order.push_back(n);
   }
   wheel.keeps_clay = keeps_clay;
   for (content::Vessel& v : vessels) shelf.push_back({&v, 7, jar(0.08), 0.65, wheel});
@@ -124,6 +125,7 @@ void Visitor::frames(double seconds) {
   int skipped = 0;
   do {
     now += 1.0 / 30;
+    status.time += 1.0 / 30;
     visit->update(now);
     while (auto request = visit->take_request()) {
       if (const auto* start = std::get_if<StartPot>(&*request)) {
@@ -155,8 +157,8 @@ void Visitor::up(float x, float y) {
 }
 
 void Visitor::reach(const std::string& control) {
-  for (const std::string& way : {std::string("throw.less"), way_into_drawer(control)})
-    if (!visit->control(control) && visit->control(way)) touch(way);
+  for (const std::string& through : {std::string("throw.less"), way_into_drawer(control)})
+    if (!visit->control(control) && visit->control(through)) touch(through);
 }
 
 void Visitor::put_tools_to_hand() {
@@ -234,9 +236,9 @@ void Visitor::key(view::Key key) {
 
 bool Visitor::key_to(const std::string& control) {
   if (control == "throw.done") touch_clay();
-  for (const std::string& way : {std::string("throw.less"), way_into_drawer(control)})
-    if (control.starts_with("throw.") && !visit->control(control) && visit->control(way))
-      key_to(way);
+  for (const std::string& through : {std::string("throw.less"), way_into_drawer(control)})
+    if (control.starts_with("throw.") && !visit->control(control) && visit->control(through))
+      key_to(through);
   const auto wanted = visit->control(control);
   if (!wanted) return false;
   using view::Key;
@@ -298,6 +300,24 @@ void Visitor::glaze_and_fire() {
   touch("result.keep");
   touch("kiln.glaze.1");
   frames(10);
+}
+
+void Visitor::offer(const std::string& way_id) {
+  // A pot that was decorated keeps to its way.
+  if (!way_id.empty()) {
+    auto read = decoration::read_way("content/ways/" + way_id + ".toml", {"en", "ko"});
+    EXPECT_TRUE(read.problems.empty()) << way_id;
+    way = std::make_unique<decoration::Way>(std::move(read.way));
+  }
+  for (ShelfCard& card : shelf) card.wheel.way = way_id.empty() ? nullptr : way.get();
+}
+
+void walk_decorating(Visitor& v, const std::function<void(const std::string&)>& look) {
+  for (std::size_t n = 0; n < v.way->tools.size(); ++n) {
+    v.touch("decorate.tool." + std::to_string(n));
+    look("decorate " + v.way->id + " " + v.way->tools[n].id);
+    v.touch("decorate.mark");
+  }
 }
 
 void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
@@ -375,7 +395,18 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
   settled("leaving");
   v.touch("leaving.close");
   const bool kiln = !v.glazes.empty();
-  v.touch("result.keep");
+  if (kiln) {
+    v.offer("celadon");
+    v.frames(0.5);
+    settled("result decorates");
+    v.touch("result.keep");
+    with_help("decorate");
+    walk_decorating(v, settled);
+    v.touch("decorate.on");
+    v.offer("");
+  } else {
+    v.touch("result.keep");
+  }
   if (kiln) {
     with_help("kiln");
     v.touch("kiln.glaze.1");
@@ -396,6 +427,9 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
     settled("keepsake gallery");
     v.touch("back");
   }
+  v.touch("keepsake.done");
+  settled("keepsake thanks");
+  v.touch("back");
   v.frames(v.exhibit.idle.result_after + 1);
   settled("idle");
   v.move(3, 3);

@@ -101,6 +101,8 @@ class Visitor {
   void tear(double limit);
   void mend();
   void glaze_and_fire();  ///< From the result to the fired pot, by touch.
+  /// Pots are decorated in this way of the exhibit's from now on; "": not at all, as it comes.
+  void offer(const std::string& way_id);
   std::vector<Request> requests();
 
   std::vector<content::Language> languages;
@@ -108,7 +110,8 @@ class Visitor {
   std::vector<content::Vessel> vessels;
   std::vector<ShelfCard> shelf;
   std::vector<content::Glaze> glazes;
-  std::vector<content::LessonStep> lesson;  // none as it comes
+  std::unique_ptr<decoration::Way> way;     // none as it comes
+  std::vector<content::LessonStep> lesson;  // likewise
   std::vector<TodaysPot> todays;            // likewise
   std::deque<settings::Mission> on;         // likewise
   std::vector<MissionCard> missions;        // of them
@@ -134,6 +137,9 @@ class Visitor {
 /// Goes through everything a visitor can see, as it stands once cross-fades are over: every screen,
 /// the label, help, the warning, the fault, a kept and a failed postcard. `look` gets its name.
 void walk(Visitor& visitor, const std::function<void(const std::string&)>& look);
+
+/// On the screen where a pot is decorated: takes each tool, and touches the pot with it.
+void walk_decorating(Visitor& visitor, const std::function<void(const std::string&)>& look);
 
 /// All words of a frame, one after the other.
 std::string words_in(const view::Frame& frame);

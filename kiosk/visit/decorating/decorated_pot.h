@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/surface/laws.h"
+#include "kiosk/collection/decoration/coat_picture.h"
+#include "kiosk/collection/decoration/way.h"
+#include "kiosk/visit/decorating/touched_place.h"
+
+namespace onggi::decorating {
+
+/// A visitor's pot while it is decorated: its surface, the tool in the hand, and the pictures for
+/// the graphics side. Knows no screen, clock or file. Main thread. Allocates.
+class DecoratedPot {
+ public:
+  /// Problem: `thrown` is no outline (surface::outline_of). `way` has a tool, and outlives it.
+  static Result<std::unique_ptr<DecoratedPot>> begin(const Profile& thrown,
+                                                     const decoration::Way& way);
+
+  const decoration::Way& way() const { return way_; }
+  const surface::Surface& surface() const { return surface_; }
+  const decoration::CoatPicture& picture() const { return picture_; }
+  /// Length of the outline from the foot to the lip, m.
+  double outside() const;
+
+  // What the visitor has chosen.
+  int tool() const { return tool_; }
+  const decoration::WayTool& held() const { return tool_at(tool_); }
+  /// Ends the stroke of a finger that is on the pot.
+  void choose_tool(int tool);
+  /// True if this tool needs another one first.
+  bool waits(int tool) const;
+  /// In WayTool::pigments and WayTool::motifs of the held tool.
+  int pigment() const { return choice().pigment; }
+  int figure() const { return choice().figure; }
+  int repeats() const { return choice().repeats; }
+  void choose_pigment(int index) { choice().pigment = index; }
+  void choose_figure(int index) { choice().figure = index; }
+  void choose_repeats(int repeats) { choice().repeats = repeats; }
+
+  // The hand. Nothing happens while busy().
+  /// A finger comes down, moves, and leaves.
+  void press(const Place& at);
+  void move(const Place& at);
+  void lift();
+  bool pressed() const { return last_.has_value(); }
+  /// The pot turns under the finger: a ring is being drawn.
+  bool turns() const;
+  /// Does the held tool's work without a finger: all over, once round at `at`, from there up, a
+  /// figure there, or a short stroke.
+  void put(const Place& at);
+  /// True while work that was begun goes on by itself.
+  bool busy() const { return !waiting_.empty(); }
+  /// Once a frame: goes on with such work, and draws what has changed into the picture.
+  void update(double dt);
+  /// Of the tool over the clay since the last update, m/s; 0: it touches nothing.
+  double tool_speed() const { return speed_; }
+  /// Ends such work, and draws everything.
+  void finish();
+
+  bool bare() const { return steps_.empty(); }
+  bool can_undo() const { return !busy() && surface_.can_undo(); }
+  /// Takes the last touch back; a finger that is still on the pot draws no more.
+  void undo();
+
+  /// Before or after the fire: the slips change their colours, a part a frame.
+  void fire(bool fired) { picture_.fire(fired); }
+
+  /// What was done, a tool each in the order of its first use.
+  struct Did {
+    int tool = 0, times = 0;
+  };
+  std::vector<Did> did() const;
+
+ private:
+  struct Choice {
+    int pigment = 0, figure = 0, repeats = 8;
+  };
+  /// The cells that a step changed.
+  struct Part {
+    int from = 0, to = 0, first = 0, last = 0;
+  };
+  struct Step {
+    int tool = 0;
+    std::vector<Part> parts;
+  };
+  DecoratedPot(surface::Surface surface, const decoration::Way& way);
+  const decoration::WayTool& tool_at(int tool) const {
+    return way_.tools[static_cast<std::size_t>(tool)];
+  }
+  Choice& choice() { return choices_[static_cast<std::size_t>(tool_)]; }
+  const Choice& choice() const { return choices_[static_cast<std::size_t>(tool_)]; }
+  /// The held tool's law, with the chosen pigment.
+  surface::Tool law() const;
+  void apply(surface::Stroke stroke, int repeats);
+  void touch(const surface::Stroke& stroke);
+  void take_back();
+  const surface::Row& row_at(double along) const;
+  void trace();
+  /// Does the rest of a way a piece at a time.
+  void wait_for(const std::vector<surface::Station>& stations, std::size_t from, std::size_t piece);
+  void set_figure(const Place& at);
+  /// Height of a figure at a place, m: smaller where its repeats would overlap.
+  double size_at(const decoration::Motif& motif, const Place& at) const;
+  void close_ring();
+  void cover_all();
+  void from_up(const Place& at);
+  double end_of_outline() const;
+
+  const decoration::Way& way_;
+  surface::Surface surface_;
+  decoration::CoatPicture picture_;
+  std::vector<Choice> choices_;
+  int tool_ = 0;
+  int working_ = 0;  ///< The tool of the last press.
+  bool step_begun_ = false;
+  std::vector<Step> steps_;  ///< As many as the surface can take back, and those before.
+  std::deque<surface::Stroke> waiting_;  ///< Each for its frame,
+  double due_ = 0.0;                     ///< and how many of them are due.
+  std::optional<surface::Tracer> tracer_;
+  std::size_t traced_ = 0;  ///< Stations of tracer_ that have been applied.
+  std::optional<surface::HandPlace> last_;
+  surface::HandPlace began_at_;
+  std::optional<surface::HandPlace> traced_to_;
+  double gone_ = 0.0, speed_ = 0.0;  ///< Of the tool since the last update, m; before it, m/s.
+  bool open_ = false;                ///< Wider than high: visitors look into it.
+};
+
+}  // namespace onggi::decorating

@@ -1,0 +1,232 @@
+#include "kiosk/visit/screens/decorate_controls.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "kiosk/collection/settings/text_in.h"
+#include "kiosk/visit/screens/light_color.h"
+#include "kiosk/visit/screens/overlays.h"
+#include "kiosk/visit/screens/stroke_board.h"
+
+namespace onggi::screens {
+
+using decorating::DecoratedPot;
+using decoration::WayTool;
+using view::Face;
+
+namespace {
+
+constexpr std::string_view kTool = "decorate.tool.", kColor = "decorate.color.",
+                           kFigure = "decorate.figure.", kTimes = "decorate.times.";
+
+std::string numbered(std::string_view prefix, int n) {
+  return std::string(prefix) + std::to_string(n);
+}
+
+std::optional<int> number_after(const std::string& control, std::string_view prefix) {
+  if (!control.starts_with(prefix)) return std::nullopt;
+  int n = 0;
+  std::from_chars(control.data() + prefix.size(), control.data() + control.size(), n);
+  return n;
+}
+
+std::string in_words(const Desk& desk, const decoration::Words& words) {
+  return settings::text_in(words, desk.words().code());
+}
+
+Button choice(std::string id, std::string words, bool on) {
+  Button button{std::move(id), std::move(words), on ? Look::chosen : Look::outline};
+  button.on = on;
+  button.tight = true;
+  return button;
+}
+
+std::vector<Button> tool_buttons(const Desk& desk, const DecoratedPot& pot) {
+  std::vector<Button> row;
+  for (int n = 0; n < static_cast<int>(pot.way().tools.size()); ++n) {
+    row.push_back(choice(numbered(kTool, n),
+                         in_words(desk, pot.way().tools[static_cast<std::size_t>(n)].name),
+                         n == pot.tool()));
+  }
+  return row;
+}
+
+std::vector<Button> color_buttons(const Desk& desk, const DecoratedPot& pot, const WayTool& tool,
+                                  int on) {
+  std::vector<Button> row;
+  for (int n = 0; n < static_cast<int>(tool.pigments.size()); ++n) {
+    const auto pigment = static_cast<std::size_t>(tool.pigments[static_cast<std::size_t>(n)]);
+    row.push_back(
+        choice(numbered(kColor, n), in_words(desk, pot.way().pigments[pigment].name), n == on));
+    row.back().swatch = display(pot.way().palette.pigments[pigment].fired);
+  }
+  return row;
+}
+
+/// A figure's lines and the outlines of its areas, as large as a square of 1 holds them.
+std::vector<std::vector<std::pair<float, float>>> sketch_of(const decoration::Motif& motif) {
+  constexpr std::size_t kEvery = 4;  // of the points: a button is small
+  double most = 0.0;
+  for (const auto* ways : {&motif.fills, &motif.lines})
+    for (const auto& points : *ways)
+      for (const Vec2& p : points) most = std::max({most, std::abs(p.x), std::abs(p.y)});
+  std::vector<std::vector<std::pair<float, float>>> sketch;
+  for (const auto* ways : {&motif.fills, &motif.lines})
+    for (const auto& points : *ways) {
+      auto& line = sketch.emplace_back();
+      const auto add = [&](const Vec2& p) {
+        line.emplace_back(static_cast<float>(0.5 + 0.5 * p.x / most),
+                          static_cast<float>(0.5 - 0.5 * p.y / most));
+      };
+      for (std::size_t n = 0; n < points.size(); n += kEvery) add(points[n]);
+      add(ways == &motif.fills ? points.front() : points.back());
+    }
+  return sketch;
+}
+
+std::vector<Button> figure_buttons(const Desk& desk, const DecoratedPot& pot, const WayTool& tool,
+                                   int on) {
+  std::vector<Button> row;
+  for (int n = 0; n < static_cast<int>(tool.motifs.size()); ++n) {
+    const auto figure = static_cast<std::size_t>(tool.motifs[static_cast<std::size_t>(n)]);
+    row.push_back(choice(numbered(kFigure, n), "", n == on));
+    row.back().spoken = in_words(desk, pot.way().figures[figure].name);
+    row.back().sketch = sketch_of(pot.way().figures[figure].motif);
+  }
+  return row;
+}
+
+std::vector<Button> times_buttons(const Desk& desk, int on) {
+  std::vector<Button> row;
+  for (const int n : decoration::kRepeats) {
+    row.push_back(choice(numbered(kTimes, n), std::to_string(n), n == on));
+    row.back().spoken = desk.say("decorate.times", {{"n", std::to_string(n)}});
+  }
+  return row;
+}
+
+/// Choices that the tool leaves open, each row under its caption.
+void choices(Column& column, const Desk& desk, const DecoratedPot& pot, const WayTool& tool,
+             const std::optional<int>& color, int figure, int repeats) {
+  const TypeScale& t = column.page().type();
+  const auto row = [&](const char* caption, const std::vector<Button>& buttons) {
+    if (buttons.size() < 2) return;
+    column.text(desk.say(caption), t.body, Face::sans, view::kFaintInk);
+    column.buttons(buttons);
+    column.space(t.gap * 0.5f);
+  };
+  row("decorate.color", color_buttons(desk, pot, tool, color.value_or(-1)));
+  row("decorate.figure", figure_buttons(desk, pot, tool, figure));
+  if (tool.hand == WayTool::line || tool.hand == WayTool::figure)
+    row("decorate.repeats", times_buttons(desk, repeats));
+}
+
+std::string sentence(const Desk& desk, const DecoratedPot& pot, bool soon) {
+  if (pot.waits(pot.tool()))
+    return desk.say(
+        "decorate.needs",
+        {{"tool",
+          in_words(desk, pot.way().tools[static_cast<std::size_t>(pot.held().needs)].name)}});
+  if (soon) return desk.say("decorate.soon");
+  if (pot.bare() && pot.tool() == 0) return in_words(desk, pot.way().about);
+  return in_words(desk, pot.held().how);
+}
+
+/// Height of the longest sentence, so that no button moves when it changes.
+float longest(const Page& page, const Desk& desk, const DecoratedPot& pot, float width) {
+  const TypeScale& t = page.type();
+  float most = 0;
+  const auto look = [&](const std::string& words) {
+    most = std::max(most, page.size(words, page.style(Face::sans, t.body),
+                                    std::min(width, t.body * 0.52f * 55.0f))
+                              .height);
+  };
+  look(desk.say("decorate.soon"));
+  look(in_words(desk, pot.way().about));
+  for (const WayTool& tool : pot.way().tools) look(in_words(desk, tool.how));
+  return most;
+}
+
+void foot(Column& column, const Desk& desk, const DecoratedPot& pot) {
+  const TypeScale& t = column.page().type();
+  column.foot_buttons(standing_buttons(desk, true));
+  column.foot_space(t.gap);
+  const bool bare = pot.bare();
+  const bool can_undo = pot.can_undo();
+  std::vector<Button> on{{"decorate.on",
+                          desk.say(bare                ? "decorate.skip"
+                                   : desk.wheel().kiln ? "decorate.fire"
+                                                       : "result.keep"),
+                          bare ? Look::outline : Look::solid, desk.say("decorate.skip")}};
+  on.push_back({can_undo ? "decorate.undo" : "", desk.say("decorate.undo"),
+                can_undo ? Look::outline : Look::resting});
+  column.foot_buttons(on);
+  column.foot_space(t.gap);
+  if (!StrokeBoard::wanted(desk)) return;
+  std::vector<Button> by_buttons;
+  for (const char* id : {"decorate.higher", "decorate.lower", "decorate.turn_left",
+                         "decorate.turn_right", "decorate.here"})
+    by_buttons.push_back({id, desk.say(id), Look::outline});
+  column.foot_buttons(by_buttons);
+  column.foot_space(t.gap);
+}
+
+}  // namespace
+
+void lay_out_decorating(Page& page, const Desk& desk, const DecoratedPot& pot, bool soon) {
+  const TypeScale& t = page.type();
+  Column column(page, page.where().words);
+  foot(column, desk, pot);
+  column.text(desk.say("decorate.title"), t.title, Face::serif);
+  column.space(t.gap * 0.5f);
+  const view::Rect room = column.rest();
+  column.text(sentence(desk, pot, soon), t.body);
+  const float said = column.rest().y - room.y;
+  column.space(std::max(0.0f, longest(page, desk, pot, room.w) - said) + t.gap);
+  column.into_reach();
+  column.buttons(tool_buttons(desk, pot));
+  column.space(t.gap);
+  // The page is as small as the tool with the most choices needs it, so that all have one size.
+  float least = column.rest().h;
+  for (const WayTool& tool : pot.way().tools) {
+    Page trial = page;
+    Column other(trial, column.rest());
+    choices(other, desk, pot, tool, 0, 0, tool.repeats);
+    least = std::min(least, other.rest().h);
+  }
+  if (least < 0) page.overflowed();
+  choices(column, desk, pot, pot.held(), pot.pigment(), pot.figure(), pot.repeats());
+  column.check();
+}
+
+bool press_decorating(const std::string& control, DecoratedPot& pot) {
+  if (control == "decorate.undo")
+    pot.undo();
+  else if (const auto tool = number_after(control, kTool))
+    pot.choose_tool(*tool);
+  else if (const auto color = number_after(control, kColor))
+    pot.choose_pigment(*color);
+  else if (const auto figure = number_after(control, kFigure))
+    pot.choose_figure(*figure);
+  else if (const auto times = number_after(control, kTimes))
+    pot.choose_repeats(*times);
+  else
+    return false;
+  return true;
+}
+
+std::string did_in_words(const Desk& desk, const DecoratedPot& pot) {
+  std::string all;
+  for (const DecoratedPot::Did& did : pot.did()) {
+    const auto& tool = pot.way().tools[static_cast<std::size_t>(did.tool)];
+    all += (all.empty() ? "" : desk.say("decorate.and")) + in_words(desk, tool.did);
+  }
+  return all;
+}
+
+}  // namespace onggi::screens

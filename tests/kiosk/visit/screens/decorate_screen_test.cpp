@@ -1,0 +1,219 @@
+#include "kiosk/visit/screens/decorate_screen.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/kiosk/visit/screens/layout_check.h"
+
+namespace onggi::screens {
+namespace {
+
+struct Decorator : Visitor {
+  explicit Decorator(const std::string& way_id = "celadon") : Visitor(2, nullptr, true) {
+    offer(way_id);
+    make_result();
+  }
+  const decorating::DecoratedPot* pot() const { return visit->decorated_pot(); }
+  /// The middle of the pot's picture.
+  std::pair<float, float> middle() const {
+    const view::Rect mark = *visit->control("decorate.mark");
+    return {mark.x + mark.w / 2, mark.y + mark.h * 0.55f};
+  }
+  void stroke(float dx, float dy) {
+    const auto [x, y] = middle();
+    down(x, y);
+    for (int n = 1; n <= 10; ++n) {
+      move(x + dx * static_cast<float>(n) / 10, y + dy * static_cast<float>(n) / 10);
+      show();
+    }
+    up(x + dx, y + dy);
+    show();
+  }
+};
+
+TEST(DecorateScreen, ComesAfterTheResultAndMayBeSkipped) {
+  Decorator v;
+  v.touch("result.keep");
+  EXPECT_EQ(v.visit->screen(), ScreenId::decorate);
+  EXPECT_NE(words_in(v.frame).find("Leave it plain"), std::string::npos);
+  v.touch("decorate.on");
+  EXPECT_EQ(v.visit->screen(), ScreenId::kiln);
+  EXPECT_EQ(v.visit->decoration(), nullptr);
+  v.touch("kiln.glaze.0");
+  v.touch("kiln.keep");
+  for (const Request& request : v.requests())
+    if (const auto* wish = std::get_if<MakeKeepsake>(&request)) {
+      EXPECT_FALSE(wish->decorated);
+    }
+}
+
+TEST(DecorateScreen, WhereNoWayIsOfferedTheResultLeadsToTheKiln) {
+  Decorator v("");
+  v.touch("result.keep");
+  EXPECT_EQ(v.visit->screen(), ScreenId::kiln);
+  v.touch("back");
+  EXPECT_EQ(v.visit->screen(), ScreenId::result);
+}
+
+TEST(DecorateScreen, AFingerOnThePotCutsAndTheKeepsakeHasItInWords) {
+  Decorator v;
+  v.touch("result.keep");
+  v.stroke(20, 40);
+  ASSERT_NE(v.visit->decoration(), nullptr);
+  EXPECT_EQ(v.pot()->did().size(), 1u);
+  EXPECT_NE(words_in(v.frame).find("To the kiln"), std::string::npos);
+  v.touch("decorate.on");
+  v.touch("kiln.glaze.0");
+  v.frames(12);
+  EXPECT_TRUE(v.visit->decoration()->fired());
+  v.touch("kiln.keep");
+  bool kept = false;
+  for (const Request& request : v.requests())
+    if (const auto* wish = std::get_if<MakeKeepsake>(&request)) {
+      kept = true;
+      ASSERT_TRUE(wish->decorated);
+      EXPECT_FALSE(wish->decorated->bare());
+      EXPECT_FALSE(wish->decorated_how.empty());
+    }
+  EXPECT_TRUE(kept);
+}
+
+TEST(DecorateScreen, AFingerBesideThePotTurnsItAndLeavesNoMark) {
+  Decorator v;
+  v.touch("result.keep");
+  v.frames(1);
+  const double before = v.frame.pot->clay_angle;
+  const view::Rect room = *v.visit->control("decorate.mark");
+  v.down(room.x + 4, room.y + 40);
+  v.move(room.x + 104, room.y + 40);
+  v.show();
+  v.up(room.x + 104, room.y + 40);
+  v.show();
+  EXPECT_NE(v.frame.pot->clay_angle, before);
+  EXPECT_TRUE(v.pot()->bare());
+}
+
+TEST(DecorateScreen, ThePotTurnsUnderARestingFingerAndTheBandCloses) {
+  Decorator v("porcelain");
+  v.touch("result.keep");
+  ASSERT_EQ(v.way->tools[0].hand, decoration::WayTool::ring);
+  const double before = v.frame.pot->clay_angle;
+  const auto [x, y] = v.middle();
+  v.down(x, y);
+  v.frames(0.5);
+  EXPECT_GT(std::abs(v.frame.pot->clay_angle - before), 0.5);
+  v.up(x, y);
+  v.frames(4);
+  const auto& surface = v.pot()->surface();
+  int painted = 0, row = 0;
+  for (int j = 0; j < surface.rows(); ++j)
+    if (surface.slip(j, 0).word() != 0) row = j;
+  for (int i = 0; i < surface::kSectors; ++i) painted += surface.slip(row - 2, i).word() != 0;
+  EXPECT_EQ(painted, surface::kSectors);
+}
+
+TEST(DecorateScreen, UndoHasOnePlaceAndTakesTheLastTouchBack) {
+  Decorator v;
+  v.touch("result.keep");
+  EXPECT_FALSE(v.visit->control("decorate.undo"));
+  v.stroke(10, 30);
+  const view::Rect there = *v.visit->control("decorate.on");
+  v.touch("decorate.undo");
+  EXPECT_TRUE(v.pot()->bare());
+  EXPECT_EQ(v.visit->control("decorate.on")->y, there.y);
+  v.stroke(10, 30);
+  v.key(view::Key::restore);
+  EXPECT_TRUE(v.pot()->bare());
+}
+
+TEST(DecorateScreen, AToolThatNeedsAnotherSaysWhich) {
+  Decorator v;
+  v.touch("result.keep");
+  int waiting = 0;
+  while (v.way->tools[static_cast<std::size_t>(waiting)].needs < 0) ++waiting;
+  v.touch("decorate.tool." + std::to_string(waiting));
+  EXPECT_NE(words_in(v.frame).find("First:"), std::string::npos);
+  v.stroke(10, 30);
+  EXPECT_TRUE(v.pot()->bare());
+}
+
+TEST(DecorateScreen, ItGoesByKeyboardAlone) {
+  Decorator v;
+  v.touch("result.keep");
+  for (int n = 0; n < 8 && v.visit->focus() != "decorate.mark"; ++n) v.key(view::Key::right);
+  ASSERT_EQ(v.visit->focus(), "decorate.mark");
+  v.key(view::Key::enter);
+  EXPECT_FALSE(v.pot()->bare());
+  v.key(view::Key::up);
+  v.key(view::Key::right);
+  v.key(view::Key::enter);
+  v.frames(1);
+  EXPECT_EQ(v.pot()->did()[0].times, 2);
+}
+
+TEST(DecorateScreen, WhoHearsThePageMovesAMarkByButtons) {
+  Decorator v("porcelain");
+  v.exhibit.screen.spoken = true;
+  v.touch("result.keep");
+  v.touch("decorate.higher");
+  v.touch("decorate.here");
+  v.frames(4);
+  EXPECT_FALSE(v.pot()->bare());
+}
+
+TEST(DecorateScreen, WhoComesBackFindsTheDecorationAndFreshClayHasNone) {
+  Decorator v;
+  v.touch("result.keep");
+  v.stroke(10, 30);
+  v.touch("back");
+  EXPECT_EQ(v.visit->screen(), ScreenId::result);
+  EXPECT_NE(v.visit->decoration(), nullptr);
+  v.touch("result.keep");
+  EXPECT_FALSE(v.pot()->bare());
+  v.touch("back");
+  v.touch("result.again");
+  v.touch("leaving.go");
+  EXPECT_EQ(v.visit->decoration(), nullptr);
+  v.frames(1);
+  v.touch("throw.done");
+  v.touch("result.keep");
+  EXPECT_TRUE(v.pot()->bare());
+}
+
+TEST(DecorateScreen, NextVisitorFindsNothingOfIt) {
+  Decorator v;
+  v.touch("result.keep");
+  v.stroke(10, 30);
+  v.frames(v.exhibit.idle.result_after + v.exhibit.idle.countdown + 1);
+  EXPECT_EQ(v.visit->screen(), ScreenId::attract);
+  EXPECT_EQ(v.visit->decoration(), nullptr);
+  EXPECT_EQ(v.pot(), nullptr);
+}
+
+TEST(DecorateScreen, AfterAGoodWhileItSaysSoGentlyAndTakesNothingAway) {
+  Decorator v;
+  v.touch("result.keep");
+  v.stroke(10, 30);
+  v.frames(50);
+  v.stroke(-10, 30);
+  v.frames(45);
+  EXPECT_NE(words_in(v.frame).find("When you like it, fire it."), std::string::npos);
+  EXPECT_EQ(v.visit->screen(), ScreenId::decorate);
+}
+
+TEST(DecorateScreen, NothingOfAnyWayIsCutAtAnySize) {
+  for (const auto& file : std::filesystem::directory_iterator("content/ways"))
+    for (const auto& [width, height] : {std::pair{1920, 1080}, {1080, 1920}, {1024, 600}}) {
+      Decorator v(file.path().stem().string());
+      v.width = width;
+      v.height = height;
+      v.show();
+      v.touch("result.keep");
+      v.frames(1.0);
+      walk_decorating(v, [&](const std::string& name) { check_layout(v, v.plain, name); });
+    }
+}
+
+}  // namespace
+}  // namespace onggi::screens
