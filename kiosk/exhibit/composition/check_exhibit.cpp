@@ -13,12 +13,15 @@
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/content/lesson.h"
 #include "kiosk/collection/content/translation_tables.h"
+#include "kiosk/collection/decoration/decoration.h"
+#include "kiosk/collection/decoration/way.h"
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/collection/settings/scene_file.h"
 #include "kiosk/exhibit/composition/check_letters.h"
 #include "kiosk/exhibit/composition/device_files.h"
 #include "kiosk/exhibit/composition/missions.h"
 #include "kiosk/exhibit/composition/scenes.h"
+#include "kiosk/exhibit/composition/ways.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
@@ -160,6 +163,13 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
     if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
   if (fs::is_regular_file(exhibit.glazes, ignored))
     known["glaze"] = check_glazes(report, exhibit.glazes, exhibit.languages, exhibit.translations);
+  std::vector<std::string> ways;
+  if (exhibit.ways) {
+    WaysRead read_all = read_ways(*exhibit.ways);
+    for (const fs::path& way : read_all.files) look(report, way);
+    for (const auto& [id, way] : read_all.ways) ways.push_back(id);
+    note(report, read_all.keys_checked, std::move(read_all.problems));
+  }
   check_names(report, content::names_file(file), exhibit.languages);
   if (exhibit.lesson)
     known["lesson"] =
@@ -179,6 +189,8 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
     all.insert(all.end(), check.hidden.begin(), check.hidden.end());
     if (!stop.stop_requested()) {
       note(report, 0, unknown_names(exhibit, all));
+      // An exhibit without ways leaves its vessels undecorated.
+      if (!ways.empty()) note(report, 0, unknown_ways(exhibit.shelf, all, ways, known["glaze"]));
       known["vessel"] = std::move(all);
     }
   }
@@ -215,6 +227,12 @@ void check_toml(CheckReport& report, const fs::path& file,
   else if (has("outer") || has("inner")) {
     auto drawing = content::check_drawing(file);
     add(report, file, drawing.keys_checked, std::move(drawing.problems));
+  } else if (has("body") && has("step")) {
+    auto decoration = decoration::check_decoration(file);
+    add(report, file, decoration.keys_checked, std::move(decoration.problems));
+  } else if (has("tool") && has("simplified")) {
+    auto way = decoration::read_way(file, languages);
+    add(report, file, way.keys_checked, std::move(way.problems));
   } else if (has("glaze")) {
     check_glazes(report, file);
   } else if (has("thing")) {

@@ -34,19 +34,27 @@ void Keeping::make(const screens::MakeKeepsake& wish, const screens::ShelfCard& 
   taking_ = std::move(*taking);
   left_handed_ = visit.shown_on().left_handed;
   made_ = wish.made;
+  decorated_ = wish.decorated;
   kept_ = taking_->taken.visit;
   kept_ticket_ = saving_ticket_ = 0;
-  draw_keepsake();
-  if (postcard_ != 0) world_.renderer.drop_picture(postcard_);
+  if (postcard_ == 0) return;
+  world_.renderer.drop_picture(std::exchange(postcard_, 0));
+  visit.show_postcard(postcard_);
+}
+
+void Keeping::draw_keepsake(screens::Visit& visit) {
+  if (!taking_) return;
+  if (postcard_ != 0 || !taking_->has_postcard()) return draw_next();
+  drew_ = true;
   postcard_ = world_.renderer.make_picture(taking_->taken.keepsake.postcard);
   visit.show_postcard(postcard_);
 }
 
-void Keeping::draw_keepsake() {
-  if (!taking_) return;
+void Keeping::draw_next() {
   drew_ = true;
   const ClayView& clay = world_.wheel_host.view().clay;
-  if (taking_->draw_next(world_.exhibit, clay, world_.renderer)) return;
+  world_.renderer.show_decoration(coat());
+  if (taking_->draw_next(world_.exhibit, clay, coat(), world_.renderer)) return;
   TakenHome taken = std::move(taking_->taken);
   taking_.reset();
   const encoding::Caption caption = taken.keepsake.caption;
@@ -60,7 +68,13 @@ void Keeping::draw_keepsake() {
 void Keeping::lose_screen() {
   postcard_ = 0;
   if (!taking_) return;
-  // The postcard was drawn first. Without its code nobody can open a page, so there is none.
+  if (!taking_->has_postcard()) {
+    files::log_problem({"the keepsake", "The screen was lost before its postcard was drawn.",
+                        "The visitor may throw another pot once the screen is back.", 1});
+    taking_.reset();
+    return;
+  }
+  // Without the code on its other postcard nobody can open a page, so there is none.
   TakenHome taken = std::move(taking_->taken);
   taking_.reset();
   taken.keepsake.phone.reset();
@@ -69,7 +83,7 @@ void Keeping::lose_screen() {
 }
 
 void Keeping::draw_rest() {
-  while (taking_) draw_keepsake();
+  while (taking_) draw_next();
 }
 
 void Keeping::forget(const screens::VisitEnded& wish, const std::string& vessel) {
@@ -116,6 +130,7 @@ void Keeping::tell(const Keepsakes::Finished& save, screens::Visit& visit) {
 
 void Keeping::draw_turning(const view::Frame& shown) {
   if (std::exchange(drew_, false) || shown.fade > 0) return;
+  if (turning_.drawing()) world_.renderer.show_decoration(coat());
   auto drawn = turning_.draw(world_.wheel_host.view().clay, world_.renderer);
   if (drawn) keepsakes_.add(drawn->ticket, std::move(drawn->turning), std::move(drawn->caption));
 }

@@ -46,16 +46,17 @@ class Keeping {
   /// Once a frame, first of all: tidies the folder when that is due, and logs what staff must know
   /// of it. `now` in seconds.
   void look(double now);
-  /// The visitor keeps the pot that answers `card`: a postcard for the screen, and a save that
-  /// begins.
+  /// The visitor keeps the pot that answers `card`: a keepsake that the next frames draw, its
+  /// postcard first, and then save.
   void make(const screens::MakeKeepsake& wish, const screens::ShelfCard& card,
             screens::Visit& visit);
   /// The visit is over: it is counted with its save, and its postcard is dropped. `vessel`: its
   /// name on the shelf, "" where none was chosen.
   void forget(const screens::VisitEnded& wish, const std::string& vessel);
-  /// Once a frame, after the clay was uploaded: one more picture of the keepsake that is being
-  /// made, so that no frame draws two. The save begins after the last one.
-  void draw_keepsake();
+  /// Once a frame, after the clay was uploaded: one more step of the keepsake that is being made,
+  /// so that no frame takes two. A step is a picture, a postcard's words, or the postcard on the
+  /// screen. The save begins after the last one.
+  void draw_keepsake(screens::Visit& visit);
   /// The clay on the wheel is about to change: draws all that is left at once.
   void draw_rest();
   /// Takes what workers have finished, and tells the gallery, the count of visits and the visitor,
@@ -67,7 +68,7 @@ class Keeping {
   /// Waits for every save, and for the count of visits. Draws nothing. Call once, at the end.
   void finish(screens::Visit& visit);
   /// The screen is lost. A keepsake that was being drawn is saved with what there is: the postcard,
-  /// no model and no page.
+  /// no model and no page. Without a postcard there is nothing to save.
   void lose_screen();
 
   const std::optional<KeptVisit>& kept() const { return kept_; }
@@ -82,16 +83,22 @@ class Keeping {
   const std::filesystem::path& folder() const { return keepsakes_.folder(); }
 
  private:
+  void draw_next();
   void tell(const Keepsakes::Finished& save, screens::Visit& visit);
 
   World world_;
   Keepsakes keepsakes_;
   std::optional<TakingHome> taking_;
+  /// Of the last keepsake; null: none. A visitor may leave while it is drawn.
+  std::shared_ptr<const decorating::DecoratedPot> decorated_;
+  const decoration::CoatPicture* coat() const {
+    return decorated_ ? &decorated_->picture() : nullptr;
+  }
   bool left_handed_ = false;  ///< Its visitor's wheel,
   Profile made_;              ///< and pot.
   bool drew_ = false;         ///< A picture of a keepsake, in this frame.
   TurntableRecorder turning_;
-  view::PictureId postcard_ = 0;
+  view::PictureId postcard_ = 0;  ///< On the screen; 0: none yet.
   std::optional<KeptVisit> kept_;
   int kept_ticket_ = 0;    ///< Of kept_'s save.
   int saving_ticket_ = 0;  ///< The present visitor's save; 0: none, or the visitor has left.

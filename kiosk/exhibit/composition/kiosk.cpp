@@ -297,8 +297,9 @@ bool Kiosk::frame(double now, bool draw) {
   wheel_host_->collect();
   pot_->log_faults();
   renderer_->update_clay(wheel_host_->view().clay);
+  renderer_->show_decoration(visit_->decoration());
   keeping_->collect(*visit_);
-  keeping_->draw_keepsake();
+  keeping_->draw_keepsake(*visit_);
   if (todays_) todays_->look(now, *renderer_, stepped_ != nullptr);
   visit_->update(now);
   while (auto request = visit_->take_request())

@@ -5,25 +5,18 @@
 #include <cmath>
 #include <map>
 
-#include "kiosk/collection/content/glb.h"
-
 namespace onggi::exhibit {
 
-std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
-                                 const std::string& surface, const std::string& title,
-                                 const std::string& copyright) {
-  // 1. The factor, rounded as written.
-  std::array<float, 3> factor{1e-4f, 1e-4f, 1e-4f};
-  for (const view::SkinPoint& point : skin)
-    for (std::size_t k = 0; k < 3; ++k) factor[k] = std::max(factor[k], point.color[k]);
-  for (float& most : factor) most = std::min(std::ceil(most * 1e4f) / 1e4f, 1.0f);
-  std::vector<std::array<float, 3>> colors;
-  colors.reserve(skin.size());
-  for (const view::SkinPoint& point : skin)
-    colors.push_back(
-        {point.color[0] / factor[0], point.color[1] / factor[1], point.color[2] / factor[2]});
+namespace {
 
-  // 2. Group triangles of equal roughness.
+/// `mesh` with its triangles of equal roughness together, and the first of each.
+struct Coated {
+  TriangleMesh mesh;
+  std::vector<content::GlbPart> parts;
+};
+
+Coated coated(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
+              const std::string& surface, const std::array<float, 3>& color) {
   struct Coat {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     double roughness = 0;
@@ -36,17 +29,43 @@ std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<vie
     coat.triangles.push_back(triangle);
     coat.roughness += static_cast<double>(rough);
   }
-  TriangleMesh sorted = mesh;
-  sorted.triangles.clear();
-  std::vector<content::GlbPart> parts;
+  Coated out{mesh, {}};
+  out.mesh.triangles.clear();
   for (const auto& [level, coat] : coats) {
     const auto mean =
         static_cast<float>(coat.roughness / static_cast<double>(coat.triangles.size()));
-    const std::string name = parts.empty() ? surface : surface + " " + std::to_string(level);
-    parts.push_back({sorted.triangles.size(), {name, factor, mean}});
-    sorted.triangles.insert(sorted.triangles.end(), coat.triangles.begin(), coat.triangles.end());
+    const std::string name = out.parts.empty() ? surface : surface + " " + std::to_string(level);
+    out.parts.push_back({out.mesh.triangles.size(), {name, color, mean}});
+    out.mesh.triangles.insert(out.mesh.triangles.end(), coat.triangles.begin(),
+                              coat.triangles.end());
   }
-  return content::write_glb(sorted, title, copyright, parts, colors, 2);
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
+                                 const std::string& surface, const std::string& title,
+                                 const std::string& copyright) {
+  // The factor, rounded as written.
+  std::array<float, 3> factor{1e-4f, 1e-4f, 1e-4f};
+  for (const view::SkinPoint& point : skin)
+    for (std::size_t k = 0; k < 3; ++k) factor[k] = std::max(factor[k], point.color[k]);
+  for (float& most : factor) most = std::min(std::ceil(most * 1e4f) / 1e4f, 1.0f);
+  std::vector<std::array<float, 3>> colors;
+  colors.reserve(skin.size());
+  for (const view::SkinPoint& point : skin)
+    colors.push_back(
+        {point.color[0] / factor[0], point.color[1] / factor[1], point.color[2] / factor[2]});
+  const Coated pot = coated(mesh, skin, surface, factor);
+  return content::write_glb(pot.mesh, title, copyright, pot.parts, colors, 2);
+}
+
+std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
+                                 const std::string& surface, const std::string& title,
+                                 const std::string& copyright, const content::GlbPicture& picture) {
+  const Coated pot = coated(mesh, skin, surface, {1.0f, 1.0f, 1.0f});
+  return content::write_glb(pot.mesh, title, copyright, pot.parts, {}, 2, picture);
 }
 
 }  // namespace onggi::exhibit

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/profile/mesh.h"
+#include "kiosk/collection/content/glb.h"
 #include "kiosk/picture/view/skin_point.h"
 
 namespace onggi::exhibit {
@@ -18,5 +19,10 @@ inline constexpr float kRoughnessStep = 0.1f;
 std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
                                  const std::string& surface, const std::string& title,
                                  const std::string& copyright);
+
+/// The same for a decorated pot: the picture colours it in place of colours at its positions.
+std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
+                                 const std::string& surface, const std::string& title,
+                                 const std::string& copyright, const content::GlbPicture& picture);
 
 }  // namespace onggi::exhibit

@@ -40,6 +40,7 @@ std::vector<fs::path> folders_of(const fs::path& file) {
                                 exhibit.shelf};
   for (const auto& [vessel, scene] : exhibit.vessel_scenes) folders.insert(scene.parent_path());
   if (exhibit.lesson) folders.insert(exhibit.lesson->parent_path());
+  if (exhibit.ways) folders.insert(*exhibit.ways);
   if (exhibit.missions) folders.insert(exhibit.missions->parent_path());
   std::error_code gone;
   for (fs::recursive_directory_iterator it(exhibit.shelf, gone), end; !gone && it != end;

@@ -7,6 +7,7 @@
 #include "engine/effects/kiln.h"
 #include "engine/script/script.h"
 #include "kiosk/collection/settings/scene_file.h"
+#include "kiosk/exhibit/composition/ways.h"
 #include "kiosk/exhibit/tuning/grid_memory.h"
 #include "kiosk/exhibit/tuning/machine.h"
 #include "kiosk/ground/files/log.h"
@@ -27,6 +28,11 @@ Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attr
     SceneDef& own = vessels_[id];
     take(exhibit, own, file);
     fires = fires || own.kiln;
+  }
+  if (exhibit.decorate && exhibit.ways) {
+    WaysRead ways = read_ways(*exhibit.ways);
+    files::log_problems(ways.problems);
+    ways_ = std::move(ways.ways);
   }
   if (!fires) return;
   auto glazes = content::read_glazes(exhibit.glazes, exhibit.languages, exhibit.translations);
@@ -97,9 +103,28 @@ const SceneDef& Scenes::of(const std::string& id) const {
   return own != vessels_.end() ? own->second : exhibits_;
 }
 
-screens::SceneForVisitor Scenes::wheel_of(const std::string& id) const {
-  const SceneDef& def = of(id);
+std::vector<int> Scenes::in_order(const std::vector<std::string>& own) const {
+  std::vector<int> order;
+  for (const std::string& id : own)
+    for (int n = 0; n < static_cast<int>(glazes_.size()); ++n)
+      if (glazes_[static_cast<std::size_t>(n)].id == id &&
+          std::ranges::find(order, n) == order.end())
+        order.push_back(n);
+  for (int n = 0; n < static_cast<int>(glazes_.size()); ++n)
+    if (std::ranges::find(order, n) == order.end()) order.push_back(n);
+  return order;
+}
+
+const decoration::Way* Scenes::way_of(const std::string& id) const {
+  auto found = ways_.find(id);
+  if (found == ways_.end()) found = ways_.find(kUsualWay);
+  return found != ways_.end() ? &found->second : nullptr;
+}
+
+screens::SceneForVisitor Scenes::wheel_of(const content::Vessel& vessel) const {
+  const SceneDef& def = of(vessel.id);
   screens::SceneForVisitor wheel;
+  wheel.way = way_of(vessel.way);
   wheel.max_speed = def.wheel.max_speed;
   wheel.tool_radius = wheel.palm_radius = def.tool.radius;
   wheel.shown.clear();
@@ -139,8 +164,9 @@ screens::SceneForVisitor Scenes::wheel_of(const std::string& id) const {
       wheel.shown.push_back(script);
   if (wheel.shown.empty()) wheel.shown.push_back("follow");
   if (def.kiln && !glazes_.empty())
-    wheel.kiln = screens::Kiln{size_after(*def.kiln, {1.0, 0.0}), size_after(*def.kiln, {1.0, 1.0}),
-                               def.kiln->glaze_thickness / kUsualCoat, &glazes_};
+    wheel.kiln =
+        screens::Kiln{size_after(*def.kiln, {1.0, 0.0}), size_after(*def.kiln, {1.0, 1.0}),
+                      def.kiln->glaze_thickness / kUsualCoat, &glazes_, in_order(vessel.glazes)};
   return wheel;
 }
 

@@ -8,17 +8,20 @@
 
 #include "engine/scene/scene_def.h"
 #include "kiosk/collection/content/glaze.h"
+#include "kiosk/collection/content/vessel.h"
+#include "kiosk/collection/decoration/way.h"
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/exhibit/tuning/background_tuner.h"
 #include "kiosk/visit/screens/visit.h"
 
 namespace onggi::exhibit {
 
-/// The clay of each vessel of an exhibit, what attract mode shows of it, and the glazes. Main
-/// thread; not movable, because screens point at its glazes.
+/// The clay of each vessel of an exhibit, what attract mode shows of it, the glazes, and the ways
+/// to decorate. Main thread; not movable, because screens point at its glazes and ways.
 class Scenes {
  public:
-  /// Reads the exhibit's scene, those of single vessels, and the glazes if a scene has a kiln.
+  /// Reads the exhibit's scene, those of single vessels, the glazes if a scene has a kiln, and the
+  /// ways if visitors may decorate.
   /// Problems are logged, and the rest is used.
   explicit Scenes(const settings::Exhibit& exhibit);
   ~Scenes();
@@ -33,8 +36,8 @@ class Scenes {
 
   /// The scene of vessel `id` on the shelf, with the exhibit's share of force.
   const SceneDef& of(const std::string& id) const;
-  /// The part of it that the screens need.
-  screens::SceneForVisitor wheel_of(const std::string& id) const;
+  /// The part of it that the screens need, with the vessel's way and its glazes first.
+  screens::SceneForVisitor wheel_of(const content::Vessel& vessel) const;
   const std::vector<content::Glaze>& glazes() const { return glazes_; }
 
  private:
@@ -45,6 +48,10 @@ class Scenes {
   };
   void take(const settings::Exhibit& exhibit, SceneDef& def, const std::filesystem::path& file);
   void tune_next();
+  /// All glazes' indices, `own` first.
+  std::vector<int> in_order(const std::vector<std::string>& own) const;
+  /// The way of that id, or the usual one; null where there is none.
+  const decoration::Way* way_of(const std::string& id) const;
 
   SceneDef exhibits_;
   std::map<std::string, SceneDef> vessels_;
@@ -53,6 +60,7 @@ class Scenes {
   std::string machine_;
   tuning::TunePlan plan_;
   std::vector<content::Glaze> glazes_;
+  std::map<std::string, decoration::Way> ways_;
   std::vector<std::string> attract_scripts_;
 };
 

@@ -68,7 +68,7 @@ void Shelf::take(double now) {
       const Profile& own = card.vessel->extracted.profile;
       card.scale = workspace_scale(own);
       card.target = scaled(own, card.scale);
-      card.wheel = scenes_.wheel_of(card.vessel->id);
+      card.wheel = scenes_.wheel_of(*card.vessel);
       cards_.push_back(std::move(card));
     }
   }

@@ -5,7 +5,9 @@
 
 #include "engine/clay/clay_mesh.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/collection/decoration/unrolled.h"
 #include "kiosk/exhibit/composition/pot_model.h"
+#include "kiosk/exhibit/composition/small_picture.h"
 #include "kiosk/exhibit/composition/words.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/wall_clock.h"
@@ -18,28 +20,24 @@ namespace {
 // Of the kept model: a row a millimetre, and 3 degrees a sector. So it has under 65,536 corners,
 // and two bytes name one.
 constexpr int kKeptRows = 240, kKeptSectors = 120;
+// Of a decorated one, whose picture takes as much as its corners save.
+constexpr int kPaintedRows = 160, kPaintedSectors = 96;
+
+/// As much as a frame's share measures.
+class Shared final : public view::TextMeasure {
+ public:
+  explicit Shared(screens::Measuring& measuring) : measuring_(measuring) {}
+  Size measure(const std::string& text, const view::TextStyle& style, float width) const override {
+    return measuring_(text, style, width);
+  }
+
+ private:
+  screens::Measuring& measuring_;
+};
 
 void shrink(TriangleMesh& mesh, double size) {
   for (auto& at : mesh.positions)
     for (float& x : at) x *= static_cast<float>(size);
-}
-
-/// The pot alone, for the gallery.
-view::Frame small_picture(const Profile& made, const std::optional<view::Glazing>& glazing) {
-  constexpr int kWidth = 240, kHeight = 300;
-  view::Frame frame;
-  frame.width = kWidth;
-  frame.height = kHeight;
-  view::PotView pot;
-  pot.camera =
-      view::frame_pot(kWidth, kHeight, {24, 24, 192, 236}, made.height(), made.max_radius());
-  pot.wheel = false;
-  if (glazing) {
-    pot.finish = view::Finish::fired;
-    pot.glazing = *glazing;
-  }
-  frame.pot = pot;
-  return frame;
 }
 
 }  // namespace
@@ -81,6 +79,8 @@ Result<TakingHome> TakingHome::begin(const screens::MakeKeepsake& request,
                                         {"mm", std::to_string(std::lround(1000 * kept.height))}});
     taking.taken.glazing = view::Glazing{glaze->look, fired_in->coat};
   }
+  if (!request.decorated_how.empty())
+    words.decorated = language.say("postcard.decorated", {{"what", request.decorated_how}});
   if (!token.empty()) {
     taking.phone_address_ = phone_address(exhibit, token);
     keepsake.phone = souvenir::ByPhone{token, exhibit.phone.hours, language.code(), {}};
@@ -93,42 +93,90 @@ Result<TakingHome> TakingHome::begin(const screens::MakeKeepsake& request,
   return taking;
 }
 
+bool TakingHome::compose(const render::Renderer& renderer) {
+  if (!measuring_) measuring_ = std::make_unique<screens::Measuring>(renderer.measure());
+  measuring_->begin_frame();
+  card_ = souvenir::compose_postcard(words_, made_, target_, Shared(*measuring_), taken.glazing);
+  if (measuring_->spent()) return false;
+  measuring_.reset();
+  return true;
+}
+
+void TakingHome::unroll(const decoration::CoatPicture& coat, render::Renderer& renderer) {
+  if (!unrolled_) unrolled_.emplace(made_, coat);
+  unrolled_->take(renderer.read_skin(unrolled_->next_places(), taken.glazing));
+}
+
+// The surface is read at thrown size; the model has the fired size.
+void TakingHome::make_model(const ClayView& clay, const std::string& copyright,
+                            render::Renderer& renderer) {
+  souvenir::Keepsake& keepsake = taken.keepsake;
+  const std::string surface = taken.visit.glaze.empty() ? "clay" : taken.visit.glaze;
+  const int rows = unrolled_ ? kPaintedRows : kKeptRows;
+  const int sectors = unrolled_ ? kPaintedSectors : kKeptSectors;
+  ClayMesh pot = faced_mesh_of(clay, rows, sectors);
+  auto skin = renderer.read_skin(pot, taken.glazing);
+  if (!unrolled_) {
+    shrink(pot.mesh, size_);
+    keepsake.glb = pot_model(pot.mesh, skin, surface, words_.title, copyright);
+    return;
+  }
+  auto places = unrolled_->places_of(pot);
+  decoration::Skin painted{std::move(pot.mesh), std::move(places)};
+  for (const std::uint32_t one : decoration::close_round(painted)) skin.push_back(skin[one]);
+  shrink(painted.mesh, size_);
+  keepsake.painted =
+      souvenir::Painted{unrolled_->picture(), unrolled_->rollout(),
+                        [painted = std::move(painted), skin = std::move(skin), surface,
+                         title = words_.title, copyright](std::vector<std::byte> picture) {
+                          return pot_model(painted.mesh, skin, surface, title, copyright,
+                                           {painted.places, std::move(picture)});
+                        }};
+}
+
 bool TakingHome::draw_next(const settings::Exhibit& exhibit, const ClayView& clay,
-                           render::Renderer& renderer) {
+                           const decoration::CoatPicture* coat, render::Renderer& renderer) {
   souvenir::Keepsake& keepsake = taken.keepsake;
   // The rows on the wheel are drawn, not the fired ones, because a picture shows no size.
-  const auto card = [&] {
-    return renderer.draw_offscreen(
-        souvenir::compose_postcard(words_, made_, target_, renderer.measure(), taken.glazing));
-  };
   switch (next_) {
+    case Next::words:
+      if (compose(renderer)) next_ = Next::postcard;
+      return true;
     case Next::postcard:
-      keepsake.postcard = card();
-      next_ = keepsake.phone             ? Next::phone_card
+      keepsake.postcard = renderer.draw_offscreen(card_);
+      next_ = keepsake.phone             ? Next::phone_words
               : exhibit.keepsake.gallery ? Next::small
                                          : Next::model;
       return true;
-    case Next::phone_card:
+    case Next::phone_words:
       words_.phone = phone_address_;
-      keepsake.phone->card = card();
+      if (compose(renderer)) next_ = Next::phone_card;
+      return true;
+    case Next::phone_card:
+      keepsake.phone->card = renderer.draw_offscreen(card_);
       next_ = exhibit.keepsake.gallery ? Next::small : Next::model;
       return true;
     case Next::small:
       keepsake.small = {renderer.draw_offscreen(small_picture(made_, taken.glazing)),
                         taken.visit.vessel_id, taken.visit.score.stars};
+      next_ = Next::plaster;
+      return true;
+    case Next::plaster: {
+      const view::Frame picture = small_picture(made_, taken.glazing);
+      view::Image& small = keepsake.small->picture;
+      small = with_soft_shadow(std::move(small), renderer.draw_offscreen(without_pot(picture)),
+                               picture.pot->camera, made_);
       next_ = Next::model;
       return true;
-    case Next::model: {
-      // Read the surface at thrown size; the model has the fired size.
-      ClayMesh pot = faced_mesh_of(clay, kKeptRows, kKeptSectors);
-      const auto skin = renderer.read_skin(pot, taken.glazing);
-      shrink(pot.mesh, size_);
-      keepsake.glb =
-          pot_model(pot.mesh, skin, taken.visit.glaze.empty() ? "clay" : taken.visit.glaze,
-                    words_.title, exhibit.credit);
+    }
+    case Next::model:
+      if (coat != nullptr && !(unrolled_ && unrolled_->whole())) {
+        unroll(*coat, renderer);
+        return true;
+      }
+      make_model(clay, exhibit.credit, renderer);
       next_ = Next::nothing;
       return false;
-    }
     case Next::nothing:
       return false;
   }

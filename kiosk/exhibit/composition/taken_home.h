@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -9,9 +10,11 @@
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/score/score.h"
 #include "kiosk/collection/settings/exhibit.h"
+#include "kiosk/exhibit/composition/unrolled_pot.h"
 #include "kiosk/keepsake/souvenir/keepsake.h"
 #include "kiosk/keepsake/souvenir/postcard.h"
 #include "kiosk/picture/render/renderer.h"
+#include "kiosk/visit/screens/measuring.h"
 #include "kiosk/visit/screens/visit.h"
 #include "kiosk/wheel/loop/wheel_host.h"
 
@@ -38,8 +41,9 @@ struct TakenHome {
   std::optional<view::Glazing> glazing;  ///< Absent: not fired.
 };
 
-/// Makes the keepsake of the pot on the wheel, one picture at a time, because each may take a
-/// frame's time. The wheel must rest and the clay stay shown until the last one. Main thread.
+/// Makes the keepsake of the pot on the wheel, a step at a time, because each may take a frame's
+/// time: a picture, or the words of a postcard. The wheel must rest and the clay stay shown until
+/// the last one. Main thread.
 class TakingHome {
  public:
   /// `card`: what the pot answers; `language`: of the words; with a `token` (Keepsakes::token())
@@ -49,22 +53,32 @@ class TakingHome {
                                   const screens::ShelfCard& card, const content::Language& language,
                                   const settings::Exhibit& exhibit, loop::WheelHost& wheel_host,
                                   const std::string& token);
-  /// Draws the next picture: the postcard first, the pot's model (fired if the request says so)
-  /// last. False once all are drawn.
+  /// Takes the next step: the postcard first, the pot's model (fired if the request says so) last.
+  /// False once all is drawn. `coat`: the decoration that `renderer` shows on it; null: none.
   bool draw_next(const settings::Exhibit& exhibit, const ClayView& clay,
-                 render::Renderer& renderer);
+                 const decoration::CoatPicture* coat, render::Renderer& renderer);
   /// Complete when draw_next() has returned false.
   TakenHome taken;
+  bool has_postcard() const { return !taken.keepsake.postcard.rgba.empty(); }
 
  private:
   TakingHome() = default;
+  /// False while some words have guessed sizes: they are more than a frame's share.
+  bool compose(const render::Renderer& renderer);
 
-  enum class Next { postcard, phone_card, small, model, nothing };
-  Next next_ = Next::postcard;
+  /// Reads the skin of a decorated pot, some rows a step.
+  void unroll(const decoration::CoatPicture& coat, render::Renderer& renderer);
+  void make_model(const ClayView& clay, const std::string& copyright, render::Renderer& renderer);
+
+  enum class Next { words, postcard, phone_words, phone_card, small, plaster, model, nothing };
+  Next next_ = Next::words;
   souvenir::PostcardWords words_;
+  view::Frame card_;                               ///< The next postcard,
+  std::unique_ptr<screens::Measuring> measuring_;  ///< and its words, while they are measured.
   std::string phone_address_;
   Profile made_, target_;
-  double size_ = 1.0;  ///< Of the model; the clay has 1.
+  double size_ = 1.0;                    ///< Of the model; the clay has 1.
+  std::optional<UnrolledPot> unrolled_;  ///< Of a decorated pot.
 };
 
 }  // namespace onggi::exhibit

@@ -51,7 +51,9 @@ std::vector<std::string> VisitPlan::wanted() const {
     case Step::finish:
       return {l.say("throw.done")};
     case Step::result:
-      return {l.say("result.fire"), l.say("result.keep")};
+      return {l.say("result.decorate"), l.say("result.fire"), l.say("result.keep")};
+    case Step::decorate:
+      return {l.say("decorate.skip")};
     case Step::glaze:
       return {of_.glaze};
     case Step::keep:
@@ -76,9 +78,15 @@ void VisitPlan::chosen(const std::string& name) {
     ++strokes_;
     return;
   }
-  const bool fired = step_ == Step::result && name == language_->say("result.fire");
-  step_ = step_ == Step::result && !fired ? Step::leave
-                                          : static_cast<Step>(static_cast<int>(step_) + 1);
+  if (step_ == Step::result) {
+    step_ = name == language_->say("result.decorate") ? Step::decorate
+            : name == language_->say("result.fire")   ? Step::glaze
+                                                      : Step::leave;
+    return;
+  }
+  step_ = step_ == Step::decorate && of_.glaze.empty()
+              ? Step::leave
+              : static_cast<Step>(static_cast<int>(step_) + 1);
 }
 
 bool VisitPlan::told(const std::string& text) {

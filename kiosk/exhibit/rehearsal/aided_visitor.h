@@ -38,7 +38,7 @@ class VisitPlan {
   int strokes() const { return strokes_; }
 
  private:
-  enum class Step { card, take, pot, finish, result, glaze, keep, leave, over };
+  enum class Step { card, take, pot, finish, result, decorate, glaze, keep, leave, over };
   const content::Language* language_;
   Of of_;
   int most_, strokes_ = 0;

@@ -66,10 +66,16 @@ Result<void> ScriptedVisitor::step(double now) {
       touched_ = true;
       pass("attract");
       return touch(kiosk_.visit().reading().first);
+    case ScreenId::clay:
+      // Where strokes are made by buttons, its keyboard begins with a stroke.
+      if (std::exchange(touched_, true)) return {};
+      return touch("clay.on");
     case ScreenId::choose:
       return on_choose();
     case ScreenId::throwing:
       return on_throw(now);
+    case ScreenId::decorate:
+      return on_decorate();
     case ScreenId::kiln:
       return on_kiln();
     case ScreenId::keepsake:
@@ -221,6 +227,36 @@ double ScriptedVisitor::progress() const {
   if (hand_) return hand_->done() ? 1.0 : hand_->progress();
   const loop::LoopStatus status = kiosk_.wheel_host().status();
   return status.script_done ? 1.0 : std::min(0.999, status.script_progress);
+}
+
+Result<void> ScriptedVisitor::on_decorate() {
+  if (touched_) return {};
+  const auto* pot = kiosk_.visit().decorated_pot();
+  if (plan_.decorate && pot != nullptr && kiosk_.shown().pot) {
+    if (!decorating_) {
+      pass("decorate_begin");
+      decorating_.emplace(*pot);
+    }
+    if (!decorating_->done() || pot->busy()) return decorate(*pot);
+  }
+  touched_ = true;
+  pass("decorate");
+  return touch("decorate.on");
+}
+
+Result<void> ScriptedVisitor::decorate(const decorating::DecoratedPot& pot) {
+  const DecoratingHand::Act act = decorating_->step(now_, pot, kiosk_.shown().pot->camera);
+  if (!act.control.empty()) return touch(act.control);
+  view::InputEvent e;
+  e.kind = !act.finger ? view::InputEvent::Kind::pointer_up
+           : finger_   ? view::InputEvent::Kind::pointer_move
+                       : view::InputEvent::Kind::pointer_down;
+  const auto at = act.finger ? act.finger : finger_;
+  finger_ = act.finger;
+  if (!at) return {};
+  e.x = at->first, e.y = at->second;
+  kiosk_.visit().input(e, now_);
+  return {};
 }
 
 /// Chooses a glaze, waits while the pot is in the fire, and again when it is out.

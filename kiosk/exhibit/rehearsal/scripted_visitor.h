@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kiosk/exhibit/composition/kiosk.h"
+#include "kiosk/exhibit/rehearsal/decorating_hand.h"
 #include "kiosk/exhibit/rehearsal/looks_smooth.h"
 #include "kiosk/exhibit/rehearsal/naive_hands.h"
 #include "kiosk/exhibit/rehearsal/two_player_script.h"
@@ -28,6 +29,7 @@ class ScriptedVisitor {
     int card = 0;                ///< On the shelf.
     int mission = -1;            ///< Instead of a card: index among the missions that are on.
     int glaze = 0;               ///< Index in the exhibit's glazes, if the scene has a kiln.
+    bool decorate = false;  ///< Decorates the pot, if its vessel has a way; else leaves it plain.
     std::uint64_t seed = 1;
     double pace = 1.0;    ///< The script's.
     double linger = 2.0;  ///< Seconds at each screen.
@@ -64,6 +66,8 @@ class ScriptedVisitor {
   Result<void> begin_throwing(double now);
   Result<void> on_naive(double now);
   Result<void> on_two(double now);
+  Result<void> on_decorate();
+  Result<void> decorate(const decorating::DecoratedPot& pot);
   Result<void> on_kiln();
   Result<void> on_keepsake();
   Result<void> touch(const std::string& control);
@@ -84,6 +88,8 @@ class ScriptedVisitor {
   bool done_ = false;
   std::optional<NaiveHands> hands_;
   std::optional<TwoPlayerScript> two_;
+  std::optional<DecoratingHand> decorating_;
+  std::optional<std::pair<float, float>> finger_;  ///< Of decorating_, where it is down.
   std::optional<Looks> looks_;
   Profile lump_;  ///< The fresh lump.
   double looked_at_ = 0, troubled_at_ = -1;

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <exception>
@@ -37,11 +38,16 @@ CLI::Option* add_field(CLI::App& to, const Option& option, double* field) {
 std::string not_empty(const std::string& text) {
   return text.empty() ? "it is empty: name something, or leave the option out" : "";
 }
+std::string not_empty_where_required(const std::string& text) {
+  return text.empty() ? "it is empty: name something" : "";
+}
 CLI::Option* add_field(CLI::App& to, const Option& option, files::Output* field) {
-  return to.add_option(option.name, field->where(), option.help)->check(not_empty);
+  return to.add_option(option.name, field->where(), option.help)
+      ->check(option.required ? not_empty_where_required : not_empty);
 }
 CLI::Option* add_field(CLI::App& to, const Option& option, std::string* field) {
-  return to.add_option(option.name, *field, option.help)->check(not_empty);
+  return to.add_option(option.name, *field, option.help)
+      ->check(option.required ? not_empty_where_required : not_empty);
 }
 /// CLI11 takes the nearest number that fits for one that is too large.
 template <class Whole>
@@ -69,12 +75,31 @@ std::string below_zero(const std::string& text) {
     return "\"" + text + "\" is not a number: write one of at least 0";
   return value < 0.0 ? text + " is below 0: write a number of at least 0" : "";
 }
+std::string written(double number) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
+/// CLI11's own message writes six digits after the point, and nothing for an empty word.
+CLI::Validator between(double least, double most) {
+  const std::string range = "from " + written(least) + " to " + written(most);
+  return {[=](const std::string& text) {
+            double value = 0.0;
+            const char* const end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, value);
+            if (read.ec != std::errc() || read.ptr != end)
+              return "\"" + text + "\" is not a number: write one " + range;
+            return value >= least && value <= most
+                       ? std::string()
+                       : text + " is too much or too little: write a number " + range;
+          },
+          "in [" + written(least) + " - " + written(most) + "]"};
+}
 void add_option(CLI::App& to, const Option& option) {
   CLI::Option* added =
       std::visit([&](auto* field) { return add_field(to, option, field); }, option.field);
   added->required(option.required);
   if (std::isfinite(option.most))
-    added->check(CLI::Range(option.least, option.most));
+    added->check(between(option.least, option.most));
   else if (option.least == 0.0)
     added->check(below_zero);
   if (option.shows_default) added->capture_default_str();

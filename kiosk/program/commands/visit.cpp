@@ -43,7 +43,7 @@ struct VisitArguments {
   files::Output json{files::Output::Kind::json};
   double seconds = 90, pace = 1.5;
   std::uint64_t seed = 1;
-  bool realtime = false;
+  bool realtime = false, decorate = false;
 };
 
 /// Finds the named vessel: a file makes a shelf of one, an id is looked up on the exhibit's shelf.
@@ -103,10 +103,12 @@ Result<int> find_mission(const exhibit::Kiosk& kiosk, const std::string& id) {
                      "In " + file->string() + " there are: " + joined(ids) + ". Try onggi check.");
 }
 
-Result<int> find_glaze(const exhibit::Kiosk& kiosk, const std::string& id) {
+/// Without an id: the vessel's own.
+Result<int> find_glaze(const exhibit::Kiosk& kiosk, const screens::ShelfCard& card,
+                       const std::string& id) {
   std::vector<std::string> ids;
   for (const content::Glaze& glaze : kiosk.glazes()) ids.push_back(glaze.id);
-  if (id.empty()) return 0;
+  if (id.empty()) return card.wheel.kiln ? card.wheel.kiln->order.front() : 0;
   const auto found = std::find(ids.begin(), ids.end(), id);
   if (found != ids.end()) return static_cast<int>(found - ids.begin());
   return problem("--glaze " + id, "The exhibit has no such glaze.",
@@ -281,9 +283,11 @@ Result<int> visit(const VisitArguments& arguments) {
   plan.hand = arguments.hand == "mouse"    ? Hand::pointer
               : arguments.hand == "device" ? Hand::device
                                            : Hand::script;
-  const auto glaze = find_glaze(kiosk, arguments.glaze);
+  const auto glaze =
+      find_glaze(kiosk, kiosk.shelf().cards()[static_cast<std::size_t>(*card)], arguments.glaze);
   if (!glaze) return tl::unexpected(glaze.error());
   plan.glaze = *glaze;
+  plan.decorate = arguments.decorate;
   const bool naive = arguments.script == kNaive;
   if (naive)
     plan.naive = {arguments.seconds, arguments.pointer == "finger"
@@ -362,7 +366,8 @@ cli::Command visit_command() {
             "Write the result as JSON here (- for standard output), as well as to OUT/visit.json"},
            {"--realtime", &a->realtime, "At a visitor's speed, in a visible window"},
            {"--window", &a->window, "WIDTHxHEIGHT of the screens [1280x720]"},
-           {"--glaze", &a->glaze, "A glaze of the exhibit [its first]"},
+           {"--glaze", &a->glaze, "A glaze of the exhibit [the vessel's own]"},
+           {"--decorate", &a->decorate, "Decorate the pot as its makers did"},
            {"--language", &a->language, "A language of the exhibit [its first]"},
            {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
            {"--shelf", &a->shelf, "A folder of vessels instead of the exhibit's"}},

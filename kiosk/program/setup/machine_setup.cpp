@@ -68,6 +68,7 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
       {Kind::tree, site / "config", config, "the exhibit, its scenes and devices, yours to change"},
       {Kind::tree, site / "content/vessels", content / "vessels", "the shelf, yours too"},
       {Kind::tree, site / "content/lessons", content / "lessons", "what the first minute teaches"},
+      {Kind::tree, site / "content/ways", content / "ways", "how visitors decorate their pots"},
       {Kind::tree, site / "content/glazes.toml", content / "glazes.toml", "the kiln's glazes"},
       {Kind::tree, site / "content/missions.toml", content / "missions.toml",
        "what else visitors may be asked to do"},

@@ -45,7 +45,9 @@ Pots drawn(const Scenes& scenes, const std::string& vessel, const Profile& targe
   for (int n = 0; n < 25; ++n) turn();
   const ClayView& clay = wheel.view().clay;
   Pots pots{clay.profile(), {}};
-  const screens::SceneForVisitor scene = scenes.wheel_of(vessel);
+  content::Vessel of;
+  of.id = vessel;
+  const screens::SceneForVisitor scene = scenes.wheel_of(of);
   device::PointerLead hands({scene.palm, scene.palm_radius}, {0, scene.tool_radius});
   const auto line = [&](double share) {
     const double height = 0.9 * share * target.height();

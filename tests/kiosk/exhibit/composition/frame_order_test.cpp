@@ -96,8 +96,8 @@ TEST_F(FrameOrder, TheGlassShowsTheClayOfTheTickThatTheScreensSpeakOf) {
   EXPECT_EQ(drawn, 10);
 }
 
-// Guards `renderer_->update_clay(...)` before the requests (MakeKeepsake draws a postcard of the
-// clay that the renderer has) and before `keeping_->draw_turning(...)`.
+// Guards `renderer_->update_clay(...)` before `keeping_->draw_keepsake(...)`, which draws a
+// postcard of the clay that the renderer has, and before `keeping_->draw_turning(...)`.
 TEST_F(FrameOrder, APostcardAndAPictureThatTurnsAreDrawnOfThisFramesClay) {
   bool uploaded = false;
   int postcards = 0, turning = 0;
@@ -118,13 +118,14 @@ TEST_F(FrameOrder, APostcardAndAPictureThatTurnsAreDrawnOfThisFramesClay) {
   EXPECT_GT(postcards, 0);
 }
 
-// Guards the requests before `visit_->frame(...)`: MakeKeepsake makes the picture that the screen
-// shows, and a frame without it would flash an empty page.
+// Guards `keeping_->draw_keepsake(...)` before `visit_->frame(...)`: the screen shows the picture
+// that it makes. Until then the screen before it still covers most of the page.
 TEST_F(FrameOrder, APostcardIsOnTheScreenInTheFrameInWhichItIsMade) {
-  view::PictureId before = 0;
-  ask_to_keep_a_pot(false, [&] { before = watch_.made; });
-  ASSERT_NE(watch_.made, before) << "a postcard was made in the last frame";
+  ask_to_keep_a_pot(false, [&] { watch_.made = 0; });
+  for (int n = 0; n < 3 && watch_.made == 0; ++n) frame();
+  ASSERT_NE(watch_.made, 0u) << "a postcard was made in the last frame";
   EXPECT_TRUE(pictures_on(kiosk_->shown()).contains(watch_.made));
+  EXPECT_GT(kiosk_->shown().fade, 0.5f);
 }
 
 // Guards `keeping_->draw_turning(last_frame_)` after `visit_->frame(...)`: with the frame before it
@@ -274,6 +275,7 @@ class LostScreen : public FrameOrder {
     ::setenv("DISPLAY", server.name().c_str(), 1);
     FrameOrder::SetUp();
     ask_to_keep_a_pot(false);
+    for (int n = 0; n < 3; ++n) frame();  // its postcard is drawn
     watch_.called = [](const char* call) { std::fprintf(stderr, "asked to %s\n", call); };
     server.end();
     for (int n = 0; n < 100; ++n) kiosk_->frame(now_ += 0.04, true);

@@ -21,6 +21,7 @@ class NoRenderer : public render::Renderer {
   std::vector<std::string> remarks() override { return {}; }
   void show_clay(const ClayView&) override {}
   void update_clay(const ClayView&) override {}
+  void show_decoration(const decoration::CoatPicture*) override {}
   void show_vessel(const TriangleMesh&, std::array<float, 3>, const content::Coloring&,
                    double) override {}
   void draw(const view::Frame&) override {}

@@ -9,6 +9,8 @@
 #include <set>
 
 #include "kiosk/collection/content/gltf.h"
+#include "kiosk/collection/decoration/unrolled.h"
+#include "kiosk/picture/encoding/encode.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/ground/files/disk.h"
 
@@ -98,6 +100,50 @@ TEST(PotModel, AViewerWithoutColoursAtCornersShowsOneOfThePots) {
   EXPECT_NEAR(factor[0], 0.31, 2e-4);
   EXPECT_NEAR(factor[1], 0.22, 2e-4);
   EXPECT_NEAR(factor[2], 0.0, 2e-4);
+}
+
+TEST(PotModel, ADecoratedOneIsReadBackWithItsPictureWherePositionsLieInIt) {
+  decoration::Skin skin{revolve(section_of(shapes::jar()), 24), {}};
+  for (const auto& p : skin.mesh.positions) {
+    const float turns = std::atan2(p[2], p[0]) / 6.2831853f;
+    skin.places.push_back({turns < 0.0f ? turns + 1.0f : turns, 4.0f * p[1]});
+  }
+  decoration::close_round(skin);
+  auto points = skin_of(skin.mesh);
+  // Four quarters round, each darker below.
+  constexpr int kSide = 64;
+  view::Image picture{kSide, kSide, {}};
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (const int value : {60 + 40 * (x / 16), 200 - 2 * y, 90, 255})
+        picture.rgba.push_back(static_cast<std::uint8_t>(value));
+  for (const auto format : {encoding::Format::png, encoding::Format::jpeg}) {
+    const auto file = encoding::encode(picture, format, {});
+    ASSERT_TRUE(file) << to_text(file.error());
+    const auto glb = pot_model(skin.mesh, points, "celadon", "Jar", "CC0", {skin.places, *file});
+    const auto model = read_back(glb);
+    ASSERT_TRUE(model) << to_text(model.error());
+    EXPECT_TRUE(model->warnings.empty());
+    const auto light = content::baked(model->coloring);
+    ASSERT_EQ(light.size(), model->mesh.positions.size());
+    int looked = 0;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      const auto& p = model->mesh.positions[i];
+      const float turns = std::atan2(p[2], p[0]) / 6.2831853f;
+      const float x = 4.0f * (turns < 0.0f ? turns + 1.0f : turns);
+      if (x - std::floor(x) < 0.1f || x - std::floor(x) > 0.9f) continue;  // an edge of it
+      ++looked;
+      EXPECT_NEAR(content::display_of(light[i][0]), 60 + 40 * static_cast<int>(x), 6);
+      // The jar's rim lies beyond the picture's last row, which goes on there.
+      EXPECT_NEAR(content::display_of(light[i][1]), std::max(200 - 2 * 64 * 4 * p[1], 74.0f), 6);
+    }
+    EXPECT_GT(looked, 300);
+    const auto json = json_of(glb);
+    EXPECT_GT(json["materials"].size(), 1u) << "the foot is rougher";
+    for (const auto& material : json["materials"])
+      EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorTexture"]["index"], 0);
+    EXPECT_FALSE(json["meshes"][0]["primitives"][0]["attributes"].contains("COLOR_0"));
+  }
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ class Museum {
     fs::create_directories(at("content/vessels"));
     fs::create_directories(at("keepsakes"));
     fs::copy("content/lessons", at("content/lessons"), fs::copy_options::recursive);
+    fs::copy("content/ways", at("content/ways"), fs::copy_options::recursive);
     fs::copy("content/glazes.toml", at("content/glazes.toml"));
     fs::copy("content/missions.toml", at("content/missions.toml"));
     add_vessel("moon_jar");

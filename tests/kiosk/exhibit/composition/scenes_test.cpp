@@ -69,7 +69,7 @@ TEST_F(TunedScenes, WhatIsRememberedHoldsAtOnceAndAFixedSceneStaysAsItIsWritten)
 TEST(Scenes, ToolsLieInTheOrderOfTheWorkAndReachAsFarAsTheyAreMade) {
   settings::Exhibit exhibit;
   exhibit.scene = "config/scenes/studio.toml";
-  const screens::SceneForVisitor wheel = Scenes(exhibit).wheel_of("");
+  const screens::SceneForVisitor wheel = Scenes(exhibit).wheel_of(content::Vessel{});
   const auto tray = [](const auto& tool) { return find_tool_shape(tool.name)->tray; };
   EXPECT_TRUE(std::ranges::is_sorted(wheel.tools, {}, tray));
   EXPECT_EQ(wheel.tools.size(), tool_shapes().size() - 1) << "the ball is the bare finger's";

@@ -44,6 +44,10 @@ class WatchedRenderer final : public render::Renderer {
     tell("update_clay");
     real_->update_clay(clay);
   }
+  void show_decoration(const decoration::CoatPicture* coat) override {
+    tell("show_decoration");
+    real_->show_decoration(coat);
+  }
   void show_vessel(const TriangleMesh& mesh, std::array<float, 3> color,
                    const content::Coloring& coloring, double size) override {
     tell("show_vessel");
@@ -79,7 +83,10 @@ class WatchedRenderer final : public render::Renderer {
     tell("drop_picture");
     real_->drop_picture(id);
   }
-  const view::TextMeasure& measure() const override { return real_->measure(); }
+  const view::TextMeasure& measure() const override {
+    tell("measure");
+    return real_->measure();
+  }
   render::RenderStatus status() const override { return real_->status(); }
   void set_full_quality(bool on) override { real_->set_full_quality(on); }
   void count_shading(bool on) override { real_->count_shading(on); }

@@ -85,7 +85,10 @@ TEST_F(CommandLine, fields_are_filled_before_the_command_that_was_named_runs) {
 TEST_F(CommandLine, what_is_wrong_is_the_inputs_fault_and_nothing_runs) {
   for (const auto& [words, told] : std::vector<std::pair<std::vector<const char*>, const char*>>{
            {{"turn"}, "pot is required"},
-           {{"turn", "jar", "--speed", "301"}, "not in range"},
+           {{"turn", "jar", "--speed", "301"},
+            "301 is too much or too little: write a number from 0.5 to 300"},
+           {{"turn", "jar", "--speed", "0.4"}, "write a number from 0.5 to 300"},
+           {{"turn", "jar", "--speed", ""}, "\"\" is not a number: write one from 0.5 to 300"},
            {{"turn", "jar", "--speed", "fast"}, "fast"},
            {{"turn", "jar", "--speed", "nan"}, "not a finite number"},
            {{"turn", "jar", "--speed", "-nan(1)"}, "--speed"},
@@ -96,8 +99,8 @@ TEST_F(CommandLine, what_is_wrong_is_the_inputs_fault_and_nothing_runs) {
            {{"turn", "jar", "--seed", "x"}, "\"x\" is not a whole number"},
            {{"turn", "jar", "--seed", "99999999999999999999999"}, "is too large"},
            {{"turn", "jar", "--seed", "1.5"}, "not a whole number"},
-           {{"turn", ""}, "it is empty"},
-           {{"turn", "jar", "--json", ""}, "it is empty"},
+           {{"turn", ""}, "it is empty: name something\n"},
+           {{"turn", "jar", "--json", ""}, "it is empty: name something, or leave the option out"},
            {{"turn", "jar", "--json="}, "--json"},
            {{"turn", "jar", "--left", "--right"}, "excludes"},
            {{"turn", "jar", "bowl"}, "bowl"},

@@ -21,6 +21,7 @@ class CopiedSite : public ::testing::Test {
     fs::copy("config", at("config"), fs::copy_options::recursive);
     fs::copy("content/languages", at("content/languages"));
     fs::copy("content/lessons", at("content/lessons"));
+    fs::copy("content/ways", at("content/ways"));
     fs::copy("content/glazes.toml", at("content/glazes.toml"));
     fs::copy("content/missions.toml", at("content/missions.toml"));
     fs::copy("content/names.toml", at("content/names.toml"));
@@ -47,7 +48,7 @@ TEST_F(CopiedSite, IsWhatIsCheckedWhereOneStandsInItAndEachOfItsFilesIsNamed) {
   for (const char* name :
        {"config/exhibit.toml", "config/scenes/first_touch.toml", "config/rubric.toml",
         "content/languages/en.toml", "content/languages/ko.toml", "content/glazes.toml",
-        "content/missions.toml", "content/lessons/first_minute.toml",
+        "content/missions.toml", "content/lessons/first_minute.toml", "content/ways/celadon.toml",
         "content/vessels/moon_jar/vessel.toml", "content/vessels/moon_jar/profile.toml",
         "content/vessels/tea_bowl/vessel.glb"})
     EXPECT_NE(run.out.find("checked " + at(name) + "\n"), std::string::npos) << name << run.out;

@@ -27,6 +27,7 @@ class OpenSite {
     fs::copy("config", folder_ / "config", fs::copy_options::recursive);
     fs::create_directories(folder_ / "content/vessels");
     fs::copy("content/lessons", folder_ / "content/lessons", fs::copy_options::recursive);
+    fs::copy("content/ways", folder_ / "content/ways", fs::copy_options::recursive);
     fs::copy("content/glazes.toml", folder_ / "content/glazes.toml");
     fs::copy("content/missions.toml", folder_ / "content/missions.toml");
     add_vessel("tea_bowl");

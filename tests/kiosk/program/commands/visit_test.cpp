@@ -104,6 +104,22 @@ TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
   }
 }
 
+// The keyboard of its first clay begins with a stroke, and leads nowhere.
+TEST(Visit, AScriptVisitsAnExhibitThatIsReadAloudOrHasOneSwitch) {
+  for (const char* key : {"spoken", "one_switch"}) {
+    const ScratchFolder folder;
+    const std::string file =
+        write_exhibit(folder, "first_touch",
+                      std::string("[vessel_scenes]\nmoon_jar = \"unfired.toml\"\n[screen]\n") +
+                          key + " = true\n");
+    std::ofstream(folder / "unfired.toml") << "[clay]\nrows = 200\nsectors = 180\n";
+    const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --config " +
+                              file + " --json - --out " + (folder / "out").string());
+    ASSERT_EQ(run.exit_code, 0) << key << ": " << run.err;
+    EXPECT_FALSE(Json::parse(run.out)["files"].empty()) << key;
+  }
+}
+
 // The script waited for ever, and the command with it.
 TEST(Visit, OnAWheelThatCannotTurnItEndsWithAWordOfTheWheel) {
   const ScratchFolder folder;
@@ -229,7 +245,7 @@ TEST(Visit, WhenTheDiskTakesNoPostcardTheVisitGoesOnToItsKindWordsAndTheLogSaysW
                             "ulimit -f 800");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("pot.glb"), std::string::npos) << run.err;
-  EXPECT_TRUE(fs::exists(out + "/screens/11_keepsake.png"));
+  EXPECT_TRUE(fs::exists(out + "/screens/12_keepsake.png"));
   for (const auto& entry : fs::recursive_directory_iterator(out))
     EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
 }

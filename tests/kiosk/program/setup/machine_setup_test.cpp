@@ -33,6 +33,7 @@ class Image {
     put("usr/share/onggi/config/scenes/soft.toml", "clay");
     put("usr/share/onggi/content/vessels/jar/vessel.toml", "jar");
     put("usr/share/onggi/content/lessons/first.toml", "lesson");
+    put("usr/share/onggi/content/ways/painted.toml", "way");
     put("usr/share/onggi/content/glazes.toml", "glazes");
     put("usr/share/onggi/content/missions.toml", "missions");
     put("usr/share/onggi/system/90-onggi.conf", "screen");
@@ -261,7 +262,7 @@ TEST(machine_setup, a_step_that_fails_is_told_and_undo_takes_back_those_before_i
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().exit_code, 1);
   fs::remove(image.root() / "etc/X11");
-  EXPECT_THAT(good(undo_setup(image.system())).stayed, SizeIs(6));
+  EXPECT_THAT(good(undo_setup(image.system())).stayed, SizeIs(7));
   EXPECT_TRUE(image.starts("getty@tty1.service", "getty"));
   EXPECT_EQ(content(image.root() / "etc/passwd"), before.at(image.root() / "etc/passwd"));
 }

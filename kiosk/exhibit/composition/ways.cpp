@@ -1,0 +1,70 @@
+#include "kiosk/exhibit/composition/ways.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/nearest_name.h"
+#include "kiosk/ground/toml/toml_reader.h"
+
+namespace fs = std::filesystem;
+
+namespace onggi::exhibit {
+
+namespace {
+
+bool among(const std::vector<std::string>& all, const std::string& id) {
+  return std::ranges::find(all, id) != all.end();
+}
+
+std::string remedy(const std::string& id, const std::vector<std::string>& all) {
+  const std::string nearest = nearest_name(id, all);
+  return (nearest.empty() ? "" : "Did you mean \"" + nearest + "\"? ") + "Choose one of " +
+         joined(all) + ".";
+}
+
+}  // namespace
+
+WaysRead read_ways(const fs::path& folder) {
+  WaysRead read;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".toml") read.files.push_back(entry.path());
+  std::ranges::sort(read.files);
+  for (const fs::path& file : read.files) {
+    decoration::WayRead one = decoration::read_way(file, {});
+    read.keys_checked += one.keys_checked;
+    if (one.problems.empty()) read.ways.emplace(one.way.id, std::move(one.way));
+    std::ranges::move(one.problems, std::back_inserter(read.problems));
+  }
+  return read;
+}
+
+settings::Problems unknown_ways(const fs::path& shelf, const std::vector<std::string>& ids,
+                                const std::vector<std::string>& ways,
+                                const std::vector<std::string>& glazes) {
+  settings::Problems problems;
+  for (const std::string& id : ids) {
+    const fs::path file = shelf / id / "vessel.toml";
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) continue;
+    toml::TomlReader reader(file);
+    const auto before = reader.problems();
+    auto root = reader.root();
+    std::string way;
+    if (root.text("way", way) && !among(ways, way))
+      root.complain("way", "There is no way \"" + way + "\".", remedy(way, ways));
+    std::vector<std::string> own;
+    root.texts("glazes", own);
+    for (std::size_t n = 0; n < own.size(); ++n)
+      if (!among(glazes, own[n]))
+        root.complain_at("glazes", n, "There is no glaze \"" + own[n] + "\".",
+                         remedy(own[n], glazes));
+      else if (std::find(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(n), own[n]) !=
+               own.begin() + static_cast<std::ptrdiff_t>(n))
+        root.complain_at("glazes", n, "\"" + own[n] + "\" is named twice.", "Name it once.");
+    std::ranges::copy(reader.problems_since(before), std::back_inserter(problems));
+  }
+  return problems;
+}
+
+}  // namespace onggi::exhibit
