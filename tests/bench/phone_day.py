@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """A museum's day at the page for the phone, measured: a real onggi-console, real sockets of this machine.
 
-usage: python3 -B tests/bench/phone_day.py [pages] [idle] [stalled] [phones] [slow] [memory]   (all of them without a name)
+usage: python3 -B tests/bench/phone_day.py [pages] [idle] [addresses] [stalled] [phones] [slow] [memory]   (all of them without a name)
        [--console build/release/bin/onggi-console] [--passes 10000] [--idle 1000] [--phones 64] [--rate 1.0] [--downloads 500]
-       [--seconds 70] [--slow 0.1] [--stalled 8000] [--seed 1]
+       [--seconds 70] [--slow 0.1] [--stalled 8000] [--addresses 18000] [--seed 1]
   pages   what a page takes with few passes, with --passes, and while that many expired ones are removed; the console tidies
           at its start and after a minute
   idle    what a visitor's page takes beside --idle connections that say nothing and are opened anew as they end
+  addresses  what a visitor's page takes beside --addresses connections that say nothing, each of an address of its own, given up after 4 s
+          and opened anew: more than the console takes at once
   stalled what a visitor's page takes from another address beside --stalled downloads of pot.stl that take nothing, given up and opened anew
   phones  --phones phones at --rate MB/s each open a page's five files at once, beside the idle ones
   slow    pot.stl (4.8 MB) at --slow MB/s, in one go, and over a way that breaks after each 0.4 MB; and a page's five files
@@ -234,18 +236,21 @@ async def idle_ones():
 
 
 class Stalled:
-    """Downloads that take nothing, given up after 12 s and opened anew, on a thread of their own."""
+    """Connections that take nothing, given up after some time and opened anew, on a thread of their own."""
 
-    def __init__(self, port, target, count):
-        self.port, self.count, self.open, self.begun = port, count, True, 0
-        self.words = f"GET {target} HTTP/1.1\r\nHost: kiosk\r\n\r\n".encode()
+    def __init__(self, port, words, count, patience=12, each=False):
+        """`each`: from an address of its own."""
+        self.port, self.count, self.open, self.begun, self.patience, self.each = port, count, True, 0, patience, each
+        self.words = words
         self.held = collections.deque()
         self.thread = threading.Thread(target=self.hold)
         self.thread.start()
 
     def one(self):
         with contextlib.suppress(OSError):
-            held = socket.create_connection(("127.0.0.1", self.port), 20)
+            n = self.begun % self.count
+            own = (f"127.1.{n // 250}.{n % 250 + 1}", 0) if self.each else None
+            held = socket.create_connection(("127.0.0.1", self.port), 20, own)
             held.sendall(self.words)
             self.held.append((time.monotonic(), held))
             self.begun += 1
@@ -254,7 +259,7 @@ class Stalled:
         while self.open:
             for _ in range(min(100, self.count - len(self.held))):
                 self.one()
-            while self.held and time.monotonic() - self.held[0][0] > 12:
+            while self.held and time.monotonic() - self.held[0][0] > self.patience:
                 self.held.popleft()[1].close()
             time.sleep(0.005)
         for _, held in self.held:
@@ -265,12 +270,26 @@ class Stalled:
         self.thread.join()
 
 
+async def addresses():
+    with Museum() as museum:
+        tokens = museum.give(50)
+        museum.serve()
+        alone, _ = await pages_of(museum, tokens, 5, "127.0.0.2")
+        others = Stalled(museum.port, b"", ARGUMENTS.addresses, 4, each=True)
+        times, lost = await pages_of(museum, tokens, 30, "127.0.0.2")
+        row(f"a page beside {ARGUMENTS.addresses} silent connections of as many addresses ({others.begun} in 30 s); "
+            f"{lost} of {len(times)} not served", said(times), "worst < 500 ms")
+        row("alone", said(alone))
+        others.end()
+
+
 async def stalled():
     with Museum() as museum:
         tokens = museum.give(50)
         museum.serve()
         alone, _ = await pages_of(museum, tokens, 5, "127.0.0.2")
-        others = Stalled(museum.port, f"/k/{tokens[0]}/pot.stl", ARGUMENTS.stalled)
+        words = f"GET /k/{tokens[0]}/pot.stl HTTP/1.1\r\nHost: kiosk\r\n\r\n".encode()
+        others = Stalled(museum.port, words, ARGUMENTS.stalled)
         times, lost = await pages_of(museum, tokens, 40, "127.0.0.2")
         row(f"a page from another address beside {ARGUMENTS.stalled} downloads that take nothing ({others.begun} in 40 s); "
             f"{lost} of {len(times)} not served", said(times), "worst < 500 ms")
@@ -363,7 +382,7 @@ async def memory():
 
 
 if __name__ == "__main__":
-    PARTS = {"pages": pages, "idle": idle_ones, "stalled": stalled, "phones": phones, "slow": slow, "memory": memory}
+    PARTS = {"pages": pages, "idle": idle_ones, "addresses": addresses, "stalled": stalled, "phones": phones, "slow": slow, "memory": memory}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", metavar="part", help=", ".join(PARTS))
     parser.add_argument("--console", default="build/release/bin/onggi-console")
@@ -374,6 +393,7 @@ if __name__ == "__main__":
     parser.add_argument("--downloads", type=int, default=500)
     parser.add_argument("--seconds", type=float, default=70.0)
     parser.add_argument("--stalled", type=int, default=8000)
+    parser.add_argument("--addresses", type=int, default=18_000)
     parser.add_argument("--slow", type=float, default=0.1)
     parser.add_argument("--seed", type=int, default=1)
     ARGUMENTS = parser.parse_args()

@@ -62,8 +62,9 @@ class TimedVisit {
     options.window.width = 640;
     options.window.height = 360;
     options.devices = false;
-    const auto display = files::VirtualDisplay::ensure(640, 480);
+    auto display = files::VirtualDisplay::ensure(640, 480);
     if (!display) return tl::unexpected(display.error());
+    display_ = std::move(*display);
     service_.emplace(*commands::ServiceRun::state_folder());
     service_->opens(options.config, false);
     const Stopwatch opening;
@@ -115,6 +116,8 @@ class TimedVisit {
   }
 
   VisitPlan plan_;
+  std::unique_ptr<files::VirtualDisplay>
+      display_;  // outlives the kiosk: Xlib ends the process else
   std::optional<commands::ServiceRun> service_;
   std::unique_ptr<exhibit::Kiosk> kiosk_;
   double now_ = 0, real_ = 0, faster_ = kFaster;

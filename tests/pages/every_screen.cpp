@@ -254,6 +254,8 @@ Result<void> look_at_every_screen(exhibit::Kiosk& kiosk, int card, const LookAtS
   looker.touch("idle.stay");
   looker.frames(kSettled);
   looker.touch("keepsake.done");
+  looker.look("thanks");
+  looker.touch("keepsake.done");
   looker.look("attract again");
   if (looker.good()) kiosk.visit().fail({"every screen", "It is looked at.", "", 1});
   looker.look("fault");
