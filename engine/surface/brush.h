@@ -18,15 +18,19 @@ struct BrushDef {
   /// Share of a hollow under the reference body that the slip fills besides, 0..1: 0.67 for an
   /// inlay, whose slip sinks by a third as it dries.
   double fill = 0.0;
-  double reach = 0.4;  ///< Way of a full brush, m, 0.01..100: for a Tracer. Longer: fresh dips.
+  double reach = 0.4;      ///< Way of a full brush, m, 0.01..100: for a Tracer. Longer: fresh dips.
+  double drags = 0.1;      ///< Share of the wet slip under it that goes along, 0..0.5.
+  double wet_time = 10.0;  ///< Until slip on leather-hard clay is dry, s, 1..3600.
 
   static constexpr const char* kName = "brush";
   static std::span<const DefField<BrushDef, int>> counts();
   static std::span<const DefField<BrushDef>> fields();
 };
 
-/// Lays slip along `stations`, where there is no resist, and brushes burrs off. `def` and
-/// `stations` are valid (laws.h).
+/// Lays slip along `stations`, where there is no resist, and brushes burrs off. Before that it
+/// takes its share of the top stratum that is still wet from each cell, and spreads it over the 2
+/// mm ahead, where the next pieces of the way find it: none is lost. `def` and `stations` are valid
+/// (laws.h).
 Work brush(Surface& surface, const BrushDef& def, std::span<const Station> stations);
 
 }  // namespace onggi::surface

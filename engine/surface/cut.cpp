@@ -120,7 +120,7 @@ Work cut(Surface& surface, const CutDef& def, std::span<const Station> stations)
 }
 
 void brush_off(Surface& surface, int j, int i) {
-  if (surface.relief(j, i) > 0) surface.set_relief(j, i, 0);
+  if (surface.relief(j, i) > 0 && !surface.coil(j, i)) surface.set_relief(j, i, 0);
 }
 
 }  // namespace onggi::surface

@@ -92,6 +92,7 @@ struct Apply {
   Work operator()(const ResistDef& def) const { return resist(surface, def, stations); }
   Work operator()(const BurnishDef& def) const { return burnish(surface, def, stations); }
   Work operator()(const FillDef& def) const { return fill(surface, def, stations); }
+  Work operator()(const CoilDef& def) const { return coil(surface, def, stations); }
   Work operator()(const SmokeDef& def) const { return smoke(surface, def); }
 };
 
@@ -116,6 +117,7 @@ Result<Work> apply(Surface& surface, const Stroke& stroke) {
 Stroke turned(Stroke stroke, int sectors) {
   for (Station& at : stroke.stations) at.round += sectors * kParts;
   if (SmokeDef* def = std::get_if<SmokeDef>(&stroke.tool)) def->turn = wrapped(def->turn + sectors);
+  if (CoilDef* def = std::get_if<CoilDef>(&stroke.tool)) def->turn = wrapped(def->turn + sectors);
   return stroke;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/surface/brush.h"
 #include "engine/surface/burnish.h"
+#include "engine/surface/coil.h"
 #include "engine/surface/cut.h"
 #include "engine/surface/dip.h"
 #include "engine/surface/fill.h"
@@ -18,7 +19,7 @@ namespace onggi::surface {
 
 /// One per law.
 using Tool = std::variant<CutDef, BrushDef, ScrapeDef, WipeDef, StampDef, DipDef, ResistDef,
-                          BurnishDef, SmokeDef, FillDef>;
+                          BurnishDef, SmokeDef, FillDef, CoilDef>;
 
 /// Everything that a hand did to a surface at once: the same strokes leave the same surface.
 struct Stroke {

@@ -48,6 +48,18 @@ Volume lay_slip(Surface& surface, int j, int i, int pigment, Volume volume) {
   return volume;
 }
 
+void lift_slip(Surface& surface, int j, int i, Volume volume) {
+  Strata strata = surface.slip(j, i);
+  const Stratum top = strata.at(0);
+  const Volume old = Volume{thickness_of(top.code)} * surface.row(j).area;
+  const int code = code_for(surface, j, top.pigment, old - volume);
+  if (code == 0)
+    strata.pop();
+  else
+    strata.set(0, {code, top.pigment});
+  surface.set_slip(j, i, strata);
+}
+
 Volume coat_slip(Surface& surface, int j, int i, int pigment, int code) {
   Strata strata = surface.slip(j, i);
   const Stratum top = strata.at(0);
@@ -104,6 +116,7 @@ bool trim(Surface& surface, int j, int i, std::int64_t height, Work& work) {
 
   if (clay > height) {
     surface.set_relief(j, i, static_cast<int>(floor_div(height, kNanometres)));
+    surface.set_coil(j, i, false);
     work.clay_taken += (clay - surface.relief(j, i) * kNanometres) * area;
   }
   surface.set_resist(j, i, false);

@@ -30,6 +30,10 @@ void Surface::set_resist(int j, int i, bool covered) {
   const int others = skin_.at(j, i) & ~kResist;
   skin_.set(j, i, static_cast<std::uint8_t>(covered ? others | kResist : others));
 }
+void Surface::set_coil(int j, int i, bool laid) {
+  const int others = skin_.at(j, i) & ~kCoil;
+  skin_.set(j, i, static_cast<std::uint8_t>(laid ? others | kCoil : others));
+}
 void Surface::set_burnish(int j, int i, int passes) {
   const int others = skin_.at(j, i) & ~kBurnish;
   skin_.set(j, i, static_cast<std::uint8_t>(others | std::clamp(passes, 0, kMostBurnish)));

@@ -39,6 +39,8 @@ class Surface {
   int glaze(int j, int i) const { return glaze_.at(j, i); }
   /// What lies here takes no slip and no glaze: wax, or a finger that holds the pot.
   bool resist(int j, int i) const { return (skin_.at(j, i) & kResist) != 0; }
+  /// What stands here over the reference body is a coil, and no loose clay.
+  bool coil(int j, int i) const { return (skin_.at(j, i) & kCoil) != 0; }
   /// Passes of the stone, 0..kMostBurnish.
   int burnish(int j, int i) const { return skin_.at(j, i) & kBurnish; }
   int smoke(int j, int i) const { return smoke_.at(j, i); }  ///< Carbon, 0..kMostSmoke.
@@ -54,6 +56,7 @@ class Surface {
   void set_slip(int j, int i, Strata slip) { slip_.set(j, i, slip.word()); }
   void set_glaze(int j, int i, int units);
   void set_resist(int j, int i, bool covered);
+  void set_coil(int j, int i, bool laid);
   void set_burnish(int j, int i, int passes);
   void set_smoke(int j, int i, int carbon);
   /// What rounding has left over in row j, with its sign: of a pigment, of the glaze, of a cut's
@@ -84,7 +87,7 @@ class Surface {
   std::uint64_t hash() const;
 
  private:
-  static constexpr std::uint8_t kBurnish = 3, kResist = 4;
+  static constexpr std::uint8_t kBurnish = 3, kResist = 4, kCoil = 8;
   template <class Cell>
   using Cells = Layer<Cell, 64, 60>;
 

@@ -13,7 +13,7 @@ namespace onggi::surface {
 struct WipeDef {
   double width = 0.012;  ///< m, 0.006..0.018 on a pot of full size, 0.002..0.03 here.
   double leaves = 2e-5;  ///< Film under the finger, m, 0..2e-4.
-  double ridge = 3e-4;   ///< As high as the ridges rise over the glaze, m, 5e-5..5e-4.
+  double ridge = 3e-4;   ///< Mean height of the ridges over the glaze, m, 5e-5..5e-4.
   double wet_time =
       60.0;  ///< Until the glaze is dry, s, 1..3600: 30 on fired clay, minutes on raw.
 

@@ -93,6 +93,65 @@ TEST(Brush, FillsAHollowByItsShare) {
   EXPECT_NEAR(surface.slip(90, 15).thickness(), 150'000, 0.1 * 150'000);
 }
 
+/// White across, then a brush with black up through it.
+struct Crossed {
+  Surface surface = made(bowl());
+  Volume white = 0, black = 0;
+  int beyond = 0;  ///< Cells with white above the band.
+
+  explicit Crossed(double age, double drags = 0.1) {
+    BrushDef def;
+    def.thickness = 4e-4;
+    white = done(surface, def, straight(surface, {0.022, -0.1}, {0.022, 0.1})).slip_laid;
+    def.pigment = 1, def.drags = drags, def.thickness = 5e-5, def.width = 0.006;
+    black = done(surface, def, straight(surface, {0.012, 0.0, 1.0, age}, {0.04, 0.0, 1.0, age}))
+                .slip_laid;
+    for (int j = 112; j < surface.rows(); ++j)  // 28 mm
+      for (int i = 0; i < kSectors; ++i)
+        for (int k = 0; k < kStrata; ++k) {
+          const Stratum stratum = surface.slip(j, i).at(k);
+          beyond += stratum.code > 0 && stratum.pigment == 0;
+        }
+  }
+};
+
+TEST(Brush, TakesSomeOfTheWetSlipUnderItAlongAndLosesNone) {
+  const Crossed wet(0.0);
+  EXPECT_GT(wet.beyond, 100);
+  EXPECT_EQ(all_slip(wet.surface), wet.white + wet.black);
+  EXPECT_EQ(wet.surface.slip_volume(0) + wet.surface.slip_volume(1), wet.white + wet.black);
+}
+
+TEST(Brush, DrySlipStaysWhereItIs) {
+  EXPECT_EQ(Crossed(10.0).beyond, 0);
+  EXPECT_EQ(Crossed(0.0, 0.0).beyond, 0);
+  EXPECT_EQ(Crossed(10.0).surface.hash(), Crossed(0.0, 0.0).surface.hash());
+}
+
+TEST(Brush, OfWetSlipATenthIsGoneFromWhereTheBrushWent) {
+  Surface surface = made(bowl());
+  BrushDef def;
+  def.thickness = 4e-4, def.tracks = 1;
+  done(surface, def, band(surface, 0.022, 100.0));
+  const auto white = [&](int i) {
+    double sum = 0.0;
+    for (int j = 72; j < 104; ++j)
+      for (int k = 0; k < kStrata; ++k) {
+        const Stratum stratum = surface.slip(j, wrapped(i)).at(k);
+        if (stratum.pigment == 0) sum += thickness_of(stratum.code);
+      }
+    return sum;
+  };
+  double before = 0.0, after = 0.0;
+  for (int i = -8; i <= 8; ++i) before += white(i);
+  def.pigment = 1;
+  done(surface, def, straight(surface, {0.012, 0.0}, {0.04, 0.0}));
+  for (int i = -8; i <= 8; ++i) after += white(i);
+  // A piece's tenth comes from the piece behind it: only what left the band is missing.
+  EXPECT_LT(after, 0.995 * before);
+  EXPECT_GT(after, 0.9 * before);
+}
+
 TEST(Brush, LightPressureIsNarrow) {
   Surface surface = made(bowl());
   done(surface, BrushDef{}, straight(surface, {0.014, 0.0, 0.25}, {0.031, 0.0, 0.25}));

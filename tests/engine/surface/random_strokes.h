@@ -46,7 +46,7 @@ class RandomStrokes {
   }
 
   Tool any_tool() {
-    switch (random_.bits() % 8) {
+    switch (random_.bits() % 9) {
       case 0:
         return any<CutDef>();
       case 1:
@@ -65,6 +65,8 @@ class RandomStrokes {
         return any<ResistDef>();
       case 6:
         return any<FillDef>();
+      case 7:
+        return any<CoilDef>();
       default:
         return any<BurnishDef>();
     }
