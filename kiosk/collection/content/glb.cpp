@@ -17,18 +17,30 @@ constexpr int kUnsignedShort = 5123, kFloat = 5126, kUnsignedInt = 5125, kArrayB
 
 using files::Json;
 
-Json json_of(const GlbMaterial& material, bool picture) {
+/// The textures' numbers; -1: there is none.
+struct Textures {
+  int color = -1, roughness = -1, normals = -1;
+};
+
+Json json_of(const GlbMaterial& material, const Textures& textures) {
   // Four digits are finer than the eye, and they are the same on every machine.
   const auto digits = [](float v) { return std::round(static_cast<double>(v) * 1e4) / 1e4; };
   Json surface = Json::object({});
-  if (picture)
-    surface["baseColorTexture"] = Json::object({{"index", 0}});
+  if (textures.color >= 0)
+    surface["baseColorTexture"] = Json::object({{"index", textures.color}});
   else
     surface["baseColorFactor"] = Json::list(
         {digits(material.color[0]), digits(material.color[1]), digits(material.color[2]), 1.0});
   surface["metallicFactor"] = 0.0;
-  surface["roughnessFactor"] = digits(material.roughness);
-  return Json::object({{"name", material.name}, {"pbrMetallicRoughness", surface}});
+  if (textures.roughness >= 0) {
+    surface["roughnessFactor"] = 1.0;
+    surface["metallicRoughnessTexture"] = Json::object({{"index", textures.roughness}});
+  } else {
+    surface["roughnessFactor"] = digits(material.roughness);
+  }
+  Json out = Json::object({{"name", material.name}, {"pbrMetallicRoughness", surface}});
+  if (textures.normals >= 0) out["normalTexture"] = Json::object({{"index", textures.normals}});
+  return out;
 }
 
 }  // namespace
@@ -91,14 +103,29 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     view(from, kArrayBuffer);
   }
 
-  if (!picture.file.empty()) {
+  const bool pictured = !picture.file.empty();
+  const bool tangents = pictured && !picture.tangents.empty();
+  std::vector<const std::vector<std::byte>*> files;  // in the order of their textures
+  Textures textures;
+  if (pictured) {
     from = bin.size();
     for (const auto& place : picture.places) bin.f32s(place);
     view(from, kArrayBuffer);
     from = bin.size();
-    bin.append(picture.file);
-    views.push_back(
-        Json::object({{"buffer", 0}, {"byteOffset", from}, {"byteLength", picture.file.size()}}));
+    for (const auto& tangent : picture.tangents) bin.f32s(tangent);
+    if (tangents) view(from, kArrayBuffer);
+    const auto add = [&](const std::vector<std::byte>& file) {
+      if (file.empty()) return -1;
+      from = bin.size();
+      bin.append(file);
+      views.push_back(
+          Json::object({{"buffer", 0}, {"byteOffset", from}, {"byteLength", file.size()}}));
+      files.push_back(&file);
+      return static_cast<int>(files.size()) - 1;
+    };
+    textures.color = add(picture.file);
+    textures.roughness = add(picture.roughness);
+    textures.normals = add(picture.normals);
   }
 
   Json accessors = Json::list({Json::object({{"bufferView", 0},
@@ -138,10 +165,10 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     attributes["COLOR_0"] = normals ? 3 : 2;
   }
 
-  const bool pictured = !picture.file.empty();
   const std::size_t places = (normals ? 3u : 2u) + (colors.empty() ? 0u : 1u);  // their view
   // Their accessor comes after all others.
   if (pictured) attributes["TEXCOORD_0"] = places + parts.size() - 1;
+  if (tangents) attributes["TANGENT"] = places + parts.size();
 
   Json asset = Json::object({{"version", "2.0"}, {"generator", "Onggi"}});
   if (!copyright.empty()) asset["copyright"] = copyright;
@@ -153,13 +180,18 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
     primitives.push_back(Json::object({{"attributes", attributes},
                                        {"indices", part == 0 ? first : later + part},
                                        {"material", part}}));
-    materials.push_back(json_of(parts[part].material, pictured));
+    materials.push_back(json_of(parts[part].material, textures));
   }
   if (pictured)
     accessors.push_back(Json::object({{"bufferView", places},
                                       {"componentType", kFloat},
                                       {"count", picture.places.size()},
                                       {"type", "VEC2"}}));
+  if (tangents)
+    accessors.push_back(Json::object({{"bufferView", places + 1},
+                                      {"componentType", kFloat},
+                                      {"count", picture.tangents.size()},
+                                      {"type", "VEC4"}}));
   Json document = Json::object(
       {{"asset", asset},
        {"scene", 0},
@@ -171,11 +203,16 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const std::string& ti
        {"bufferViews", views},
        {"buffers", Json::list({Json::object({{"byteLength", bin.size()}})})}});
   if (pictured) {
-    const bool jpeg = picture.file.front() == std::byte{0xFF};
-    document["images"] = Json::list({Json::object(
-        {{"bufferView", places + 1}, {"mimeType", jpeg ? "image/jpeg" : "image/png"}})});
+    Json images = Json::list(), sampled = Json::list();
+    for (std::size_t n = 0; n < files.size(); ++n) {
+      const bool jpeg = files[n]->front() == std::byte{0xFF};
+      images.push_back(Json::object({{"bufferView", places + (tangents ? 2u : 1u) + n},
+                                     {"mimeType", jpeg ? "image/jpeg" : "image/png"}}));
+      sampled.push_back(Json::object({{"sampler", 0}, {"source", n}}));
+    }
+    document["images"] = images;
     document["samplers"] = Json::list({Json::object({{"wrapS", kRepeat}, {"wrapT", kClamp}})});
-    document["textures"] = Json::list({Json::object({{"sampler", 0}, {"source", 0}})});
+    document["textures"] = sampled;
   }
 
   files::ByteWriter json;

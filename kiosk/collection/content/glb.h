@@ -31,6 +31,14 @@ struct GlbPart {
 struct GlbPicture {
   std::vector<std::array<float, 2>> places;
   std::vector<std::byte> file;
+  /// Pictures of the same surface; empty: none. How rough it is, 0..1, in green (glTF 2.0, 3.9.2):
+  /// it replaces the materials' roughness.
+  std::vector<std::byte> roughness{};
+  /// And where it faces (3.9.3). Needs normals and `tangents`.
+  std::vector<std::byte> normals{};
+  /// Of each position: the direction to the pictures' right, of unit length, and the side on which
+  /// their top lies (3.7.2.1): 1 or -1. Empty: none.
+  std::vector<std::array<float, 4>> tangents{};
 };
 
 /// A GLB of one mesh with one material; `title` and `copyright` go into the asset. `colors` is

@@ -14,6 +14,7 @@
 #include "kiosk/collection/content/screen_model.h"
 #include "kiosk/collection/content/true_size.h"
 #include "kiosk/collection/content/vessel_file.h"
+#include "kiosk/collection/decoration/decoration.h"
 #include "kiosk/collection/settings/visitor_text.h"
 
 namespace onggi::content {
@@ -54,7 +55,7 @@ struct Order {
   Vessel vessel;
   ToldSize told;
   std::optional<std::array<float, 3>> color;  ///< From the pack.
-  bool decorated = false;                     ///< The file's own colours are from a decoration.
+  fs::path decoration;                        ///< Its own colours are from this file; or empty.
   GltfCredit document;                        ///< Credit from a document that names the file.
   LoadOptions options;
 };
@@ -84,7 +85,7 @@ Result<Vessel> measured(const Order& order, const GltfModel& model, const NamedP
       named.part == nullptr ? model.coloring : coloring_of(model, *named.part, named.reach);
   if (order.color) {
     vessel.color = *order.color;
-    if (!order.decorated) vessel.coloring = {};
+    if (order.decoration.empty()) vessel.coloring = {};
   }
   return vessel;
 }
@@ -110,6 +111,18 @@ void set_upright(Vessel& vessel, const TriangleMesh& mesh, const TrueSize& size,
     found.warnings.push_back("Where the inner wall was not visible, it is drawn " +
                              three_digits(1000.0 * found.inferred_wall) +
                              " mm inside the outer one.");
+}
+
+/// Where the makers began. What is wrong with the file is told by catalogue.h.
+std::vector<decoration::Start> starts_of(const Order& order, const Profile& outline) {
+  if (order.decoration.empty()) return {};
+  const auto decoration = decoration::read_decoration(order.decoration);
+  double outside = 0.0;
+  for (std::size_t n = 1; n < outline.points.size(); ++n)
+    outside += std::hypot(outline.points[n].outer - outline.points[n - 1].outer,
+                          outline.points[n].height - outline.points[n - 1].height);
+  if (!decoration || !(outside > 0.0)) return {};
+  return decoration::starts_of(*decoration, outside);
 }
 
 std::string called(const GltfPart& part) {
@@ -161,6 +174,7 @@ Result<Vessel> load_one(const Order& order, const GltfModel& model, const NamedP
   const auto size = true_size(size_of(*vessel), order.told, name);
   if (!size) return tl::unexpected<Problem>(size.error());
   set_upright(*vessel, mesh, *size, order.options.for_screen);
+  vessel->starts = starts_of(order, vessel->extracted.profile);
   return vessel;
 }
 
@@ -284,7 +298,7 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
   if (!pack.node.empty()) order.options.node = pack.node;
   if (pack.up && !options.up) order.options.up = pack.up;
   if (pack.color) order.color = pack.color;
-  order.decorated = !pack.decoration.empty();
+  if (!pack.decoration.empty()) order.decoration = folder / pack.decoration;
   return order;
 }
 

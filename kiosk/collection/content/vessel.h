@@ -14,6 +14,7 @@
 #include "kiosk/collection/content/gltf_credit.h"
 #include "kiosk/collection/content/lighter_mesh.h"
 #include "kiosk/collection/content/true_size.h"
+#include "kiosk/collection/decoration/starts.h"
 #include "kiosk/collection/settings/reader_limits.h"
 
 namespace onggi::content {
@@ -45,8 +46,10 @@ struct Vessel {
   std::string credit, licence, source;
   std::string way;  ///< Id of the way that visitors decorate it in; empty: the usual one.
   std::vector<std::string> glazes;  ///< Ids of its own glazes, which are offered first.
-  std::string address;              ///< The museum's page, valid; a label may have its own.
-  double true_height = 0.0;         ///< Metres, from the TOML's height or diameter; 0: not given.
+  /// Where its makers began, if it has a good decoration.toml.
+  std::vector<decoration::Start> starts;
+  std::string address;       ///< The museum's page, valid; a label may have its own.
+  double true_height = 0.0;  ///< Metres, from the TOML's height or diameter; 0: not given.
   SizeFrom size_from = SizeFrom::file;
   TriangleMesh mesh;           ///< Upright: foot at y = 0, axis on y. Metres.
   LighterMesh turning;         ///< A reduced `mesh`, for a turning picture.

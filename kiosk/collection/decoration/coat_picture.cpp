@@ -12,6 +12,8 @@ namespace {
 
 using surface::kSectors;
 
+constexpr std::array<float, 3> kWax{0.62f, 0.50f, 0.27f};  // until the kiln burns it
+constexpr float kWaxHides = 0.55f;
 constexpr double kRawGlazeHides = 1.2e-4;             // m
 constexpr int kSlopeUnit = 64, kLevel = 128;          // of form()
 constexpr int kDepthUnit = 4 * surface::kNanometres;  // nm
@@ -46,6 +48,10 @@ CoatPicture::CoatPicture(const surface::Surface& surface, const Palette& palette
   changes_.assign(tiles, change_);
   stale_.assign(tiles, false);
   has_glaze_.assign(tiles, false);
+  middle_form_ = {kLevel, kLevel, 0, 0};
+  const surface::Row& last = surface.row(rows_ - 1);
+  has_middle_ = rows_ > 1 && last.part == surface::Part::floor &&
+                last.radius < surface::kLeastRadius + 2e-6 * surface::kRowHeight;
   know_shares(palette);
   tell_rows(surface);
 }
@@ -110,9 +116,11 @@ void CoatPicture::touch(int from, int to, int first, int last) {
 
 void CoatPicture::touch_all() { stale_.assign(stale_.size(), true); }
 
-void CoatPicture::fire(bool fired) {
-  if (fired != fired_) touch_all();
+void CoatPicture::fire(bool fired, const surface::Melt* melt) {
+  if (!fired) melt = nullptr;
+  if (fired != fired_ || melt != melt_) touch_all();
   fired_ = fired;
+  melt_ = melt;
 }
 
 bool CoatPicture::draw(const surface::Surface& surface, int most) {
@@ -124,10 +132,16 @@ bool CoatPicture::draw(const surface::Surface& surface, int most) {
     stale_[n] = false;
     changes_[n] = change_ = next_change();
   }
-  const bool glazed = std::ranges::find(has_glaze_, true) != has_glaze_.end();
-  if (glazed == glazed_) return false;
-  // The fourth value of form() has another meaning now.
+  if (middle_stale_) even_middle();
+  const bool melted = melt_ != nullptr;
+  const bool glazed = melted || std::ranges::find(has_glaze_, true) != has_glaze_.end();
+  if (glazed == glazed_ && melted == melted_) return false;
+  // The fourth value of form() has another meaning now; what has melted was drawn with it.
+  const bool again = glazed != glazed_ && !melted;
   glazed_ = glazed;
+  melted_ = melted;
+  change_ = next_change();
+  if (!again) return false;
   touch_all();
   return draw(surface, most);
 }
@@ -149,6 +163,7 @@ CoatPicture::Cover CoatPicture::cover(const surface::Surface& surface, int j, in
     }
   if (const int smoke = surface.smoke(j, i); smoke > 0)
     lay(kCarbon, static_cast<float>(smoke) / surface::kMostSmoke);
+  if (!fired_ && surface.resist(j, i)) lay(kWax, kWaxHides);
   if (const int units = surface.glaze(j, i); units > 0 && !fired_)
     lay(palette_.raw_glaze, glaze_hides_[static_cast<std::size_t>(units)]);
   if (out.share > 0.0f)
@@ -170,6 +185,18 @@ CoatPicture::Texel CoatPicture::form_at(const surface::Surface& surface, int j, 
       static_cast<std::uint8_t>(glazed_ ? surface.glaze(j, i) : kPolish * surface.burnish(j, i))};
 }
 
+CoatPicture::Texel CoatPicture::molten_at(const surface::Surface& surface, int j, int i) const {
+  const int below = std::max(j - 1, 0), above = std::min(j + 1, rows_ - 1);
+  const int left = surface::wrapped(i - 1), right = surface::wrapped(i + 1);
+  constexpr int kRow = surface::kRowHeight * static_cast<int>(surface::kNanometres);
+  constexpr int kUnits = surface::kGlazeUnit / surface::Melt::kUnit;
+  const int glaze = (melt_->glaze(j, i) + kUnits / 2) / kUnits;
+  return {
+      slope_byte(melt_->top(above, i) - melt_->top(below, i), std::max(above - below, 1) * kRow),
+      slope_byte(melt_->top(j, right) - melt_->top(j, left), 2 * std::max(surface.row(j).width, 1)),
+      0, static_cast<std::uint8_t>(std::min(glaze, 255))};
+}
+
 void CoatPicture::draw_tile(const surface::Surface& surface, int down, int across) {
   bool glaze = false;
   for (int j = down * kTileRows; j < std::min((down + 1) * kTileRows, rows_); ++j)
@@ -178,12 +205,42 @@ void CoatPicture::draw_tile(const surface::Surface& surface, int down, int acros
       const std::size_t at = static_cast<std::size_t>(j) * static_cast<std::size_t>(kSectors) +
                              static_cast<std::size_t>(i);
       Texel& paint = paint_[at];
+      if (has_middle_ && j == rows_ - 1) {
+        paint = middle_paint_;
+        form_[at] = middle_form_;
+        continue;
+      }
       for (std::size_t k = 0; k < 3; ++k) paint[k] = byte(255.0f * std::sqrt(over.light[k]) + 0.5f);
       paint[3] = byte(255.0f * over.share + 0.5f);
-      form_[at] = form_at(surface, j, i);
+      form_[at] = melt_ != nullptr ? molten_at(surface, j, i) : form_at(surface, j, i);
       glaze = glaze || surface.glaze(j, i) > 0;
     }
   has_glaze_[static_cast<std::size_t>(down * tiles_across() + across)] = glaze;
+  middle_stale_ = middle_stale_ || (has_middle_ && down == tiles_down() - 1);
+}
+
+/// The mean of the ring beside it; level.
+void CoatPicture::even_middle() {
+  middle_stale_ = false;
+  const std::size_t ring = static_cast<std::size_t>(rows_ - 2) * kSectors;
+  std::array<double, 3> light{};
+  double cover = 0.0, deep = 0.0, coat = 0.0;
+  for (std::size_t at = ring; at < ring + kSectors; ++at) {
+    for (std::size_t k = 0; k < 3; ++k)
+      light[k] += 1.0 * paint_[at][k] * paint_[at][k] * paint_[at][3];
+    cover += paint_[at][3], deep += form_[at][2], coat += form_[at][3];
+  }
+  const auto mean = [](double sum) { return byte(static_cast<float>(sum / kSectors) + 0.5f); };
+  Texel paint{0, 0, 0, mean(cover)};
+  for (std::size_t k = 0; k < 3 && cover > 0.0; ++k)
+    paint[k] = byte(static_cast<float>(std::sqrt(light[k] / cover)) + 0.5f);
+  const Texel form{kLevel, kLevel, mean(deep), mean(coat)};
+  if (paint == middle_paint_ && form == middle_form_) return;
+  middle_paint_ = paint, middle_form_ = form;
+  std::fill(paint_.end() - kSectors, paint_.end(), paint);
+  std::fill(form_.end() - kSectors, form_.end(), form);
+  change_ = next_change();
+  std::fill(changes_.end() - tiles_across(), changes_.end(), change_);
 }
 
 }  // namespace onggi::decoration

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/surface/melt.h"
 #include "engine/surface/surface.h"
 
 namespace onggi::decoration {
@@ -37,8 +38,9 @@ class CoatPicture {
   void touch(int from, int to, int first, int last);
   /// Everything has changed.
   void touch_all();
-  /// From now on after (or again before) the fire. Everything changes.
-  void fire(bool fired);
+  /// From now on after (or again before) the fire, in which the glaze has become `melt`; null: it
+  /// lies as it was laid. `melt` is done(), and lives until the next call. Everything changes.
+  void fire(bool fired, const surface::Melt* melt = nullptr);
   bool fired() const { return fired_; }
   /// Draws what was touched, `most` tiles at a time; true if some are left.
   bool draw(const surface::Surface& surface, int most);
@@ -50,11 +52,13 @@ class CoatPicture {
   /// Slope of the surface along the outline and round the pot, rising with row and sector:
   /// 128 + 64 * slope. Then how deep it lies under the pot's own clay, 4 um a unit. Then, once
   /// glazed(), the glaze laid on it, surface::kGlazeUnit a unit; else the polish, kPolish for each
-  /// pass of the stone.
+  /// pass of the stone. What has melted() is its own top: no depth lies under it.
   const std::vector<Texel>& form() const { return form_; }
   /// True once glaze was laid on the surface: the fourth value of form() is then the coat to
   /// melt. Else the kiln's glaze covers the pot evenly.
   bool glazed() const { return glazed_; }
+  /// True once all of the picture shows molten glaze.
+  bool melted() const { return melted_; }
 
   int tiles_down() const { return (rows_ + kTileRows - 1) / kTileRows; }
   int tiles_across() const { return surface::kSectors / kTileColumns; }
@@ -84,15 +88,21 @@ class CoatPicture {
   void know_shares(const Palette& palette);
   Cover cover(const surface::Surface& surface, int j, int i) const;
   Texel form_at(const surface::Surface& surface, int j, int i) const;
+  Texel molten_at(const surface::Surface& surface, int j, int i) const;
   void draw_tile(const surface::Surface& surface, int down, int across);
+  void even_middle();
 
   Palette palette_;
   /// Of what lies below, the share that a coat hides: by pigment and code of its thickness.
   std::array<std::array<float, surface::kCodes>, surface::kPigments> hides_{};
   std::array<float, surface::kMostGlaze + 1> glaze_hides_{};
   int rows_ = 0;
-  bool fired_ = false, glazed_ = false;
+  bool fired_ = false, glazed_ = false, melted_ = false;
+  const surface::Melt* melt_ = nullptr;
   std::vector<Texel> paint_, form_;
+  /// The floor's middle has no cells. The last row is drawn all over it, so it is even.
+  bool has_middle_ = false, middle_stale_ = false;
+  Texel middle_paint_{}, middle_form_{};
   std::vector<std::uint64_t> changes_;
   std::vector<bool> stale_, has_glaze_;
   std::uint64_t change_ = 0;

@@ -63,6 +63,7 @@ class Hand {
     def.width = std::min(wide(step.width), 0.04);
     def.thickness = step.thickness;
     def.reach = kEndlessWay;
+    def.drags = 0.0;  // each step has dried before the next one
     return def;
   }
 

@@ -28,21 +28,26 @@ std::vector<Station> corners_of(const Surface& surface, const std::vector<Vec2>&
   return out;
 }
 
+/// From where to where an area reaches at height `y`; one that crosses itself has gaps.
+std::vector<std::pair<double, double>> crossed(const std::vector<Vec2>& corners, double y) {
+  std::vector<double> at;
+  for (std::size_t n = 0; n < corners.size(); ++n) {
+    const Vec2 &a = corners[n], &b = corners[(n + 1) % corners.size()];
+    if ((a.y <= y) != (b.y <= y)) at.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+  }
+  std::ranges::sort(at);
+  std::vector<std::pair<double, double>> out;
+  for (std::size_t n = 0; n + 1 < at.size(); n += 2) out.emplace_back(at[n], at[n + 1]);
+  return out;
+}
+
 /// Ways across an area, `apart` of its units from each other, from edge to edge.
 std::vector<std::vector<Vec2>> hatched(const std::vector<Vec2>& corners, double apart) {
   double low = corners.front().y, high = low;
   for (const Vec2& p : corners) low = std::min(low, p.y), high = std::max(high, p.y);
   std::vector<std::vector<Vec2>> ways;
-  for (double y = low + 0.5 * apart; y < high; y += apart) {
-    std::vector<double> crossed;
-    for (std::size_t n = 0; n < corners.size(); ++n) {
-      const Vec2 &a = corners[n], &b = corners[(n + 1) % corners.size()];
-      if ((a.y <= y) != (b.y <= y)) crossed.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-    }
-    std::ranges::sort(crossed);
-    for (std::size_t n = 0; n + 1 < crossed.size(); n += 2)
-      ways.push_back({{crossed[n], y}, {crossed[n + 1], y}});
-  }
+  for (double y = low + 0.5 * apart; y < high; y += apart)
+    for (const auto& [from, to] : crossed(corners, y)) ways.push_back({{from, y}, {to, y}});
   return ways;
 }
 
@@ -70,6 +75,19 @@ std::vector<Station> way_of(const Surface& surface, const std::vector<Vec2>& poi
   if (closed) go(points.front());
   tracer.lift();
   return tracer.stations();
+}
+
+std::vector<std::uint8_t> stamp_picture(const Motif& motif, int side) {
+  std::vector<std::uint8_t> picture(static_cast<std::size_t>(side * side), 0);
+  const double cell = 1.0 / side;
+  for (const auto& corners : motif.fills)
+    for (int row = 0; row < side; ++row)
+      for (const auto& [from, to] : crossed(corners, (row + 0.5) * cell - 0.5))
+        for (int column = 0; column < side; ++column) {
+          const double x = (column + 0.5) * cell - 0.5;
+          if (x >= from && x < to) picture[static_cast<std::size_t>(row * side + column)] = 255;
+        }
+  return picture;
 }
 
 std::vector<Stroke> figure_strokes(const Surface& surface, const Motif& motif,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,10 @@ FigurePlace figure_place(const surface::Surface& surface, double along, double t
 std::vector<surface::Station> way_of(const surface::Surface& surface,
                                      const std::vector<Vec2>& points, const FigurePlace& at,
                                      bool closed);
+
+/// The areas of `motif` as a stamp's picture of `side` x `side` cells, from its lower left: 255
+/// where an area is, 0 elsewhere. The stamp's side is one unit of the figure. Allocates.
+std::vector<std::uint8_t> stamp_picture(const Motif& motif, int side);
 
 /// The strokes that draw `motif`: its lines by `line`, its areas by `fill`, or where there is none
 /// their outlines by `line`; a flat cut takes the whole area. Taken back together. Empty for a

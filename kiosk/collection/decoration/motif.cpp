@@ -1,5 +1,7 @@
 #include "kiosk/collection/decoration/motif.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -20,6 +22,23 @@ Vec2 tangent(const std::vector<toml::OutlinePoint>& points, std::size_t n, bool 
   return 0.5 * Vec2{next.radius - before.radius, next.height - before.height};
 }
 
+/// True for an area without width, or a line without length. An area that crosses itself has width.
+bool is_nothing(const std::vector<Vec2>& way, bool closed) {
+  constexpr double kLeast = 1e-3;  // units of a figure: a fiftieth of a line's width
+  const Vec2 first = way.front();
+  Vec2 far{};  // from the first point to the one that is farthest from it
+  for (const Vec2& p : way)
+    if (length(p - first) > length(far)) far = p - first;
+  const double reach = length(far);
+  if (!closed || reach < kLeast) return reach < kLeast;
+  double wide = 0.0;
+  for (const Vec2& p : way) {
+    const Vec2 from = p - first;
+    wide = std::max(wide, std::abs(far.x * from.y - far.y * from.x) / reach);
+  }
+  return wide < kLeast;
+}
+
 std::vector<std::vector<Vec2>> read_ways(toml::TomlReader::Table& motif, const char* name,
                                          bool closed) {
   std::vector<std::vector<Vec2>> ways;
@@ -38,6 +57,11 @@ std::vector<std::vector<Vec2>> read_ways(toml::TomlReader::Table& motif, const c
       } else {
         for (toml::OutlinePoint& p : points) p.corner = p.corner || !round;
         ways.push_back(smooth(points, closed));
+        if (is_nothing(ways.back(), closed))
+          table.complain("points",
+                         closed ? "the area has no width: its points lie on one line."
+                                : "the line has no length: its points lie on one place.",
+                         "Move a point, or leave it out.");
       }
     }
     table.finish();

@@ -19,10 +19,12 @@ namespace {
 using Table = toml::TomlReader::Table;
 namespace bounds = settings::bounds;
 
-enum class Law { brush, cut, scrape, wipe, dip, smoke, burnish };
-constexpr std::array<std::string_view, 7> kLaws{"brush", "cut",   "scrape", "wipe",
-                                                "dip",   "smoke", "burnish"};
+enum class Law { brush, cut, scrape, wipe, dip, smoke, burnish, stamp, resist, coil };
+constexpr std::array<std::string_view, 10> kLaws{"brush", "cut",     "scrape", "wipe",   "dip",
+                                                 "smoke", "burnish", "stamp",  "resist", "coil"};
 constexpr std::array<std::string_view, 5> kHands{"line", "figure", "ring", "all", "up"};
+constexpr double kLargestStamp = 0.03;  // m
+constexpr std::array<std::string_view, 5> kStates{"soft", "leather", "dry", "fired", "glazed"};
 constexpr double kFar = 1.0;                     // units of a figure
 constexpr std::size_t kMostInFigure = 8 * 2000;  // of a smoothed figure
 constexpr std::array<std::string_view, 3> kSections{"v", "u", "flat"};
@@ -34,6 +36,12 @@ bool fits(Law law, WayTool::Hand hand) {
       return hand == WayTool::up;
     case Law::dip:
       return hand == WayTool::up || hand == WayTool::all;
+    case Law::stamp:
+      return hand == WayTool::figure;
+    case Law::coil:
+      return hand == WayTool::ring;
+    case Law::resist:
+      return hand != WayTool::up && hand != WayTool::all;
     default:
       return hand != WayTool::up;
   }
@@ -56,8 +64,16 @@ class WayReader {
     for (Table& table : root.children("tool")) read_tool(table);
     if (way_.tools.empty())
       root.complain("", "the way has no tool.", "Write a [[tool]] with id, law and hand.");
-    if (way_.tools.size() > kMostTools)
-      root.complain("", "there are more than 6 tools.", "Remove some: the screen has no room.");
+    const auto behind =
+        static_cast<std::size_t>(std::ranges::count(way_.tools, true, &WayTool::more));
+    if (way_.tools.size() - behind > kMostTools)
+      root.complain("", "there are more than 6 tools.",
+                    "Remove some, or write more = true: the screen has no room.");
+    if (behind > kMostMore)
+      root.complain("", "there are more than 6 tools with more = true.", "Remove some.");
+    if (!way_.tools.empty() && way_.tools.front().more)
+      root.complain("", "the first tool has more = true, but the screen begins with it.",
+                    "Put one without it above.");
     root.finish();
   }
 
@@ -148,7 +164,8 @@ class WayReader {
       table.complain("hand",
                      "a tool of this law cannot be led by \"" +
                          std::string(kHands[static_cast<std::size_t>(tool.hand)]) + "\".",
-                     "Smoke goes up; a dip goes up or all over; the others do not go up.");
+                     "Smoke goes up; a dip goes up or all over; a stamp makes a figure, a coil a "
+                     "ring; wax is a line, a figure or a ring; the others do not go up.");
       good = false;
     }
     // What else it may have depends on these; other messages would mislead.
@@ -163,6 +180,10 @@ class WayReader {
       else
         tool.needs = static_cast<int>(found - way_.tools.begin());
     }
+    table.boolean("more", tool.more);
+    if (WayTool::State state{};
+        table.has("state") && settings::read_one_of(table, "state", "state", kStates, state))
+      tool.state = state;
     if (table.integer("repeats", tool.repeats, 5, 12) &&
         std::ranges::find(kRepeats, tool.repeats) == std::end(kRepeats))
       table.complain("repeats", "repeats is not 5, 8, 10 or 12.", "Write 5, 8, 10 or 12.");
@@ -200,6 +221,9 @@ class WayReader {
         read_length(table, "thickness_um", 1e-6, 2.0, 2000.0, def.thickness);
         table.number("fill", def.fill, 0.0, 1.0);
         def.reach = kEndlessWay;
+        // Each touch is a freshly dipped brush.
+        if (tool.hand == WayTool::line)
+          read_length(table, "load_mm", 1e-3, 10.0, 1000.0, def.reach);
         return def;
       }
       case Law::cut: {
@@ -207,6 +231,8 @@ class WayReader {
         read_length(table, "width_mm", 1e-3, 0.2, 10.0, def.width);
         read_length(table, "depth_mm", 1e-3, 0.15, 3.0, def.depth);
         settings::read_one_of(table, "section", "section", kSections, def.section);
+        table.integer("teeth", def.teeth, 1, 9);
+        read_length(table, "spacing_mm", 1e-3, 0.5, 6.0, def.spacing);
         def.burr = 0.0;  // brushed off
         return def;
       }
@@ -232,6 +258,32 @@ class WayReader {
       }
       case Law::smoke:
         return surface::SmokeDef{};
+      case Law::stamp: {
+        surface::StampDef def;
+        def.side = kStampSide;
+        read_length(table, "depth_mm", 1e-3, 0.15, 1.0, def.depth);
+        if (tool.size > kLargestStamp)
+          table.complain("size_mm", "size_mm is more than 30 for a stamp.", "Write 5 to 30.");
+        for (const int motif : tool.motifs)
+          if (way_.figures[static_cast<std::size_t>(motif)].motif.fills.empty())
+            table.complain("motifs",
+                           "the figure \"" + way_.figures[static_cast<std::size_t>(motif)].id +
+                               "\" has no area, so a stamp of it presses nothing.",
+                           "Draw an area: [[motif.ID.fill]].");
+        return def;
+      }
+      case Law::resist: {
+        surface::ResistDef def;
+        read_length(table, "width_mm", 1e-3, 1.0, 30.0, def.width);
+        return def;
+      }
+      case Law::coil: {
+        surface::CoilDef def;
+        read_length(table, "width_mm", 1e-3, 2.0, 15.0, def.width);
+        read_length(table, "height_mm", 1e-3, 0.3, 3.0, def.height);
+        table.integer("marks", def.marks, 8, 120);
+        return def;
+      }
       default: {
         surface::BurnishDef def;
         read_length(table, "width_mm", 1e-3, 1.0, 20.0, def.width);

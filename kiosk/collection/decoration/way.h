@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,20 @@ struct WayTool {
   /// turning pot, all over at a button, or from the touched height on.
   enum Hand { line, figure, ring, all, up };
 
+  /// What a pot goes through, in this order.
+  enum State { soft, leather, dry, fired, glazed };
+
   std::string id;
   Hand hand = line;
+  /// The clay is at least so far; absent: the tool does not mind.
+  std::optional<State> state;
   /// Its law with all its figures; pigment or coat is that of `pigments.front()`.
   surface::Tool law;
   std::vector<int> pigments;  ///< To choose from, in Way::pigments; none where it lays no slip.
   std::vector<int> motifs;    ///< Of a figure, in Way::motifs.
   double size = 0.03;         ///< Height of a figure, m.
   int repeats = 8;            ///< Round the pot, to begin with.
+  bool more = false;          ///< Stands behind the button *More*.
   int needs = -1;  ///< The tool that must have been used before, in Way::tools; -1: none.
   Words name, how, did;
 };
@@ -54,7 +61,10 @@ struct Way {
   std::vector<WayTool> tools;  ///< In the makers' order; at least one.
 };
 
-inline constexpr std::size_t kMostTools = 6, kMostFigures = 5;
+/// Tools that are shown at once, and as many more behind a button.
+inline constexpr std::size_t kMostTools = 6, kMostMore = 6, kMostFigures = 5;
+/// Cells across the picture of a stamp, which a tool's law gets with its figure.
+inline constexpr int kStampSide = 64;
 /// The repeats that a visitor may choose. Free strokes are never fewer.
 inline constexpr int kRepeats[] = {5, 8, 10, 12};
 

@@ -1,6 +1,7 @@
 #include "kiosk/collection/settings/scene_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -68,12 +69,40 @@ class SceneReader {
     put_back("clay.rows");
   }
 
-  /// Asks the engine until it finds nothing more; each refused field is reported at its line and
-  /// gets its default.
+  /// The engine simulates a lump that flows apart of itself. Nobody can throw a pot of one: it has
+  /// fallen before a hand is there. A straight wall bears sqrt(3) yield_stress (SlumpDef).
+  bool bound_strength() {
+    if (!def_.slump) return true;
+    constexpr double kRoot3 = 1.7320508075688772, kGravity = 9.81;
+    const double least = def_.slump->density * kGravity * def_.clay.height / kRoot3;
+    if (def_.slump->yield_stress >= least) return true;
+    tell({"slump.yield_stress",
+          "yield_stress is too low for a lump " + whole(1000.0 * def_.clay.height) +
+              " mm high: it sinks under its own weight before a hand is there.",
+          "Write at least " + whole(std::ceil(least)) + ", or lower clay.height."});
+    if (!put_back("slump.yield_stress")) leave_out(SlumpDef::kName, def_.slump);
+    return false;
+  }
+
+  /// Thrown walls are 3 to 8 mm thick. Where all that is thinner than this tears, no visitor gets
+  /// to an end, and each frame draws a pot that is torn from foot to rim.
+  bool bound_tearing() {
+    constexpr double kMostOfAThrow = 0.005;  // m
+    if (!def_.walls || def_.walls->tear_thickness <= kMostOfAThrow) return true;
+    tell({"walls.tear_thickness",
+          "tear_thickness is more than 5 mm: every pot tears before its wall is thrown.",
+          "Write at most 0.005; 0.0025 is what clay does."});
+    if (!put_back("walls.tear_thickness")) leave_out(WallsDef::kName, def_.walls);
+    return false;
+  }
+
+  /// Asks the engine until it finds nothing more, and then for what a kiosk cannot show; each
+  /// refused field is reported at its line and gets its default.
   void check() {
     for (;;) {
       const Result<void> good = validate(def_);
-      if (good) return bound_grid();
+      if (good && bound_strength() && bound_tearing()) return bound_grid();
+      if (good) continue;
       tell(good.error());
       if (!put_back(good.error().where)) {
         def_ = SceneDef{};
@@ -83,6 +112,7 @@ class SceneReader {
   }
 
  private:
+  static std::string whole(double number) { return std::to_string(std::llround(number)); }
   void read_quality() {
     std::string word;
     if (!root_.text("quality", word)) return;

@@ -108,6 +108,56 @@ TEST(CoatPicture, TheFireTurnsARedSlipBlack) {
   EXPECT_LT(fired[0], 45);
 }
 
+TEST(CoatPicture, TheFloorsMiddleIsTheMeanOfTheRingRoundIt) {
+  Pot pot;
+  const int last = pot.surface.rows() - 1;
+  ASSERT_LT(pot.surface.row(last).radius, 0.0065);
+  // Half of the floor is white: a fan of both colours is no floor.
+  for (int j = last - 40; j <= last; ++j)
+    for (int i = 0; i < kSectors / 2; ++i) {
+      surface::Strata slip;
+      slip.set(0, {surface::code_within(300'000), 0});
+      pot.surface.set_slip(j, i, slip);
+    }
+  pot.draw();
+  const auto& paint = pot.picture.paint();
+  const auto at = [&](int j, int i) { return static_cast<std::size_t>(j) * kSectors + i; };
+  EXPECT_GT(paint[at(last - 1, 7)][3], 250);
+  EXPECT_EQ(paint[at(last - 1, kSectors - 7)][3], 0);
+  for (int i = 0; i < kSectors; ++i) ASSERT_EQ(paint[at(last, i)], paint[at(last, 0)]) << i;
+  EXPECT_NEAR(paint[at(last, 0)][3], 127, 2);
+  EXPECT_EQ(paint[at(last, 0)][0], paint[at(last - 1, 7)][0]);
+}
+
+TEST(CoatPicture, MoltenGlazeIsThickWhereAnOpenCutWas) {
+  Pot pot;
+  surface::CutDef cut;
+  cut.width = 0.001, cut.depth = 0.0006, cut.burr = 0.0;
+  ASSERT_TRUE(apply(pot.surface, ring(pot.surface, cut, 0.08)));
+  auto melt = surface::Melt::begin(pot.surface, {.even = 4e-4});
+  ASSERT_TRUE(melt);
+  while (!melt->go_on(1 << 20)) {
+  }
+  pot.draw();
+  EXPECT_FALSE(pot.picture.melted());
+  const std::uint64_t change = pot.picture.change();
+  pot.picture.fire(true, &*melt);
+  pot.picture.draw(pot.surface, 1 << 20);
+  EXPECT_TRUE(pot.picture.melted());
+  EXPECT_TRUE(pot.picture.glazed());
+  EXPECT_NE(pot.picture.change(), change);
+  const auto &in_cut = pot.picture.form()[pot.texel(0.08)],
+             &beside = pot.picture.form()[pot.texel(0.05)];
+  EXPECT_GT(in_cut[3], beside[3] + 40);
+  EXPECT_NEAR(beside[3], 100, 4);
+  EXPECT_EQ(in_cut[2], 0);
+  pot.picture.fire(false);
+  pot.picture.draw(pot.surface, 1 << 20);
+  EXPECT_FALSE(pot.picture.melted());
+  EXPECT_FALSE(pot.picture.glazed());
+  EXPECT_GT(pot.picture.form()[pot.texel(0.08)][2], 50);
+}
+
 TEST(CoatPicture, ACutIsDeepAndItsFacesSlope) {
   Pot pot;
   surface::CutDef cut;

@@ -67,5 +67,25 @@ TEST(Figure, ItsRightIsRightAsSeenFromWhereItIsLookedAt) {
   EXPECT_LT(figure_place(surface, inside, 0.25, 0.02, true).up, 0.0);
 }
 
+TEST(Figure, AStampsPictureIsItsAreas) {
+  // A square ring as one area with a slit: the middle stays.
+  const Motif ring{{{{-0.5, -0.5},
+                     {0.5, -0.5},
+                     {0.5, 0.5},
+                     {-0.5, 0.5},
+                     {-0.5, -0.5},
+                     {-0.25, -0.25},
+                     {-0.25, 0.25},
+                     {0.25, 0.25},
+                     {0.25, -0.25},
+                     {-0.25, -0.25}}},
+                   {}};
+  const auto picture = stamp_picture(ring, 8);
+  ASSERT_EQ(picture.size(), 64u);
+  for (std::size_t y = 0; y < 8; ++y)
+    for (std::size_t x = 0; x < 8; ++x)
+      EXPECT_EQ(picture[y * 8 + x], x >= 2 && x < 6 && y >= 2 && y < 6 ? 0 : 255) << x << ' ' << y;
+}
+
 }  // namespace
 }  // namespace onggi::decoration

@@ -56,6 +56,17 @@ TEST(Way, HasItsToolsWithTheirLaws) {
   EXPECT_EQ(way.palette.pigments[1].raw, way.palette.pigments[1].fired);
 }
 
+TEST(Way, AToolMayNameTheStateThatItsClayMustBeIn) {
+  const WayRead found =
+      read(kHead + tool("id = \"cut\"\nlaw = \"cut\"\nhand = \"line\"\nstate = \"leather\"\n") +
+           tool("id = \"glaze\"\nlaw = \"dip\"\nhand = \"all\"\nstate = \"fired\"\n") +
+           tool("id = \"finger\"\nlaw = \"wipe\"\nhand = \"line\"\n"));
+  ASSERT_TRUE(found.problems.empty()) << to_text(found.problems[0]);
+  EXPECT_EQ(found.way.tools[0].state, WayTool::leather);
+  EXPECT_EQ(found.way.tools[1].state, WayTool::fired);
+  EXPECT_FALSE(found.way.tools[2].state);
+}
+
 TEST(Way, EachFaultHasItsLineAndARemedy) {
   const auto fault = [](const std::string& more) {
     const WayRead found = read(kHead + more);
@@ -78,6 +89,8 @@ TEST(Way, EachFaultHasItsLineAndARemedy) {
             "there are two tools \"a\".");
   EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"line\"\nrepeats = 7\n")),
             "repeats is not 5, 8, 10 or 12.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"line\"\nstate = \"wet\"\n")),
+            "There is no state \"wet\".");
   EXPECT_EQ(fault(""), "the way has no tool.");
   EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"figure\"\nmotifs = []\n")),
             "the tool names no motif.");
@@ -85,9 +98,64 @@ TEST(Way, EachFaultHasItsLineAndARemedy) {
             "the tool names no pigment.");
   EXPECT_EQ(fault(good + tool("id = \"b\"\nhand = \"line\"\nwidth_mm = 3\n")),
             "tool[1].law is missing.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"stamp\"\nhand = \"figure\"\n"
+                              "motifs = [\"leaf\"]\nsize_mm = 8\n")),
+            "the figure \"leaf\" has no area, so a stamp of it presses nothing.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"coil\"\nhand = \"line\"\n")),
+            "a tool of this law cannot be led by \"line\".");
+  EXPECT_EQ(fault(good + "[[motif.thin.fill]]\npoints = [[0, 0], [0.2, 0.2], [0.4, 0.4]]\n"
+                         "[motif.thin.name]\nen = \"Thin\"\n"),
+            "the area has no width: its points lie on one line.");
+  EXPECT_EQ(fault(good + "[[motif.dot.line]]\npoints = [[0.1, 0], [0.1, 0]]\n"
+                         "[motif.dot.name]\nen = \"Dot\"\n"),
+            "the line has no length: its points lie on one place.");
   EXPECT_EQ(fault(good + "[[motif.far.line]]\npoints = [[0, 0], [0, 1.2]]\n"
                          "[motif.far.name]\nen = \"Far\"\n"),
             "the figure \"far\" has a point more than 1 from its middle.");
+}
+
+TEST(Way, HasTheToolsBehindMore) {
+  const std::string area =
+      "[[motif.dot.fill]]\npoints = [[-0.4, -0.4], [0.4, -0.4], [0, 0.4]]\n[motif.dot.name]\n"
+      "en = \"Dot\"\n";
+  const WayRead found =
+      read(kHead + area +
+           tool("id = \"line\"\nlaw = \"brush\"\nhand = \"line\"\nwith = [\"red\"]\n"
+                "load_mm = 250\n") +
+           tool("id = \"comb\"\nlaw = \"cut\"\nhand = \"line\"\nteeth = 5\nspacing_mm = 2.5\n"
+                "more = true\n") +
+           tool("id = \"stamp\"\nlaw = \"stamp\"\nhand = \"figure\"\nmotifs = [\"dot\"]\n"
+                "size_mm = 9\ndepth_mm = 0.7\nmore = true\n") +
+           tool("id = \"wax\"\nlaw = \"resist\"\nhand = \"line\"\nwidth_mm = 9\nmore = true\n") +
+           tool("id = \"chain\"\nlaw = \"coil\"\nhand = \"ring\"\nwidth_mm = 5\nheight_mm = 1.5\n"
+                "marks = 48\nmore = true\n"));
+  ASSERT_TRUE(found.problems.empty()) << to_text(found.problems[0]);
+  const auto& tools = found.way.tools;
+  ASSERT_EQ(tools.size(), 5u);
+  EXPECT_FALSE(tools[0].more);
+  EXPECT_DOUBLE_EQ(std::get<surface::BrushDef>(tools[0].law).reach, 0.25);
+  EXPECT_TRUE(tools[1].more);
+  EXPECT_EQ(std::get<surface::CutDef>(tools[1].law).teeth, 5);
+  EXPECT_DOUBLE_EQ(std::get<surface::CutDef>(tools[1].law).spacing, 0.0025);
+  EXPECT_DOUBLE_EQ(std::get<surface::StampDef>(tools[2].law).depth, 7e-4);
+  EXPECT_DOUBLE_EQ(std::get<surface::ResistDef>(tools[3].law).width, 0.009);
+  EXPECT_EQ(std::get<surface::CoilDef>(tools[4].law).marks, 48);
+  EXPECT_DOUBLE_EQ(std::get<surface::CoilDef>(tools[4].law).height, 0.0015);
+}
+
+TEST(Way, HasSixToolsAtOnceAndAsManyMore) {
+  const auto with = [](int shown, int more) {
+    std::string text = kHead;
+    for (int n = 0; n < shown + more; ++n)
+      text += tool("id = \"t" + std::to_string(n) + "\"\nlaw = \"scrape\"\nhand = \"ring\"\n" +
+                   (n < shown ? "" : "more = true\n"));
+    const WayRead found = read(text);
+    return found.problems.empty() ? std::string() : found.problems[0].what;
+  };
+  EXPECT_EQ(with(6, 6), "");
+  EXPECT_EQ(with(7, 0), "there are more than 6 tools.");
+  EXPECT_EQ(with(1, 7), "there are more than 6 tools with more = true.");
+  EXPECT_EQ(with(0, 1), "the first tool has more = true, but the screen begins with it.");
 }
 
 TEST(Way, ATextThatALanguageLacksIsNamed) {

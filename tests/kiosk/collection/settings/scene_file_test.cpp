@@ -89,6 +89,7 @@ TEST(scene, every_effect_is_read_from_a_table_of_its_name_each_number_into_its_o
     for (const DefField<Def>& field : Def::fields()) {
       double& number = (*effect).*(field.value);
       number = field.least + share * (field.most - field.least);
+      if (std::string_view(field.key) == "tear_thickness") number = 0.0045;  // a kiosk takes less
       share = share < 0.7 ? share + 0.0625 : 0.25;
       std::ostringstream written;
       written.precision(17);
@@ -278,6 +279,30 @@ TEST(scene, a_grid_that_the_engine_takes_and_no_kiosk_draws_is_told_and_is_not_u
     EXPECT_THAT(r.problems[0].what, HasSubstr("a kiosk draws at most 4194304"));
     EXPECT_EQ(r.def.clay.rows, ClayDef{}.rows);
   }
+}
+
+TEST(scene, clay_that_cannot_carry_its_own_lump_is_told_and_is_not_used) {
+  // 1950 kg/m^3 * 9.81 m/s^2 * 0.2 m / sqrt(3) = 2208.9 Pa
+  EXPECT_THAT(read("[volume]\n[slump]\nyield_stress = 2209\n").problems, IsEmpty());
+  const SceneRead r = read("[volume]\n[slump]\nyield_stress = 2208\n");
+  ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":3:16"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("a lump 200 mm high"));
+  EXPECT_THAT(r.problems[0].remedy, HasSubstr("at least 2209"));
+  EXPECT_EQ(r.def.slump->yield_stress, SlumpDef{}.yield_stress);
+  EXPECT_THAT(read("[clay]\nheight = 0.1\n[volume]\n[slump]\nyield_stress = 1200\n").problems,
+              IsEmpty())
+      << "a lower lump may be softer";
+}
+
+TEST(scene, walls_that_tear_before_they_are_thrown_are_told_and_are_not_used) {
+  EXPECT_THAT(read("[walls]\nsupport = 0.03\ntear_thickness = 0.005\n").problems, IsEmpty());
+  const SceneRead r = read("[walls]\nsupport = 0.03\ntear_thickness = 0.0051\n");
+  ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
+  EXPECT_THAT(r.problems[0].where, EndsWith(":3:18"));
+  EXPECT_THAT(r.problems[0].what, HasSubstr("more than 5 mm"));
+  EXPECT_EQ(r.def.walls->tear_thickness, 0.0);
+  EXPECT_EQ(r.def.walls->support, 0.03);
 }
 
 TEST(scene, values_that_contradict_a_default_are_told_at_their_table) {
