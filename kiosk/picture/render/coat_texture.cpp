@@ -156,6 +156,7 @@ void CoatTexture::show(const CoatPicture* coat) {
   if (!shown_) return;
   if (coat->width() != width_ || coat->height() != height_) make_room(*coat);
   glazed_ = coat->glazed();
+  melted_ = coat->melted();
   const float used = static_cast<float>(height_) / static_cast<float>(paint_.height);
   floor_from_ = used * coat->floor_from();
   floor_to_ = used;
@@ -196,6 +197,7 @@ void CoatTexture::set(const Program& program, float pixel, int unit) const {
   program.set("floor_rows", glm::vec2(floor_from_, floor_to_));
   program.set("floor_ends", static_cast<float>(surface::kLeastRadius));
   program.set("own_glaze", glazed_ ? 1.0f : 0.0f);
+  program.set("molten", melted_ ? 1.0f : 0.0f);
   const float cell = 1e-6f * surface::kRowHeight;
   program.set("coat_level", std::clamp(std::round(std::log2(pixel / cell)), 0.0f,
                                        static_cast<float>(kLevels - 1)));

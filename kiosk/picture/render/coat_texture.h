@@ -39,7 +39,7 @@ class CoatTexture {
   std::vector<std::array<float, 2>> by_height_;
   int width_ = 0, height_ = 0;
   float floor_from_ = 0, floor_to_ = 0;
-  bool shown_ = false, glazed_ = false;
+  bool shown_ = false, glazed_ = false, melted_ = false;
   std::uint64_t change_ = 0;
 };
 

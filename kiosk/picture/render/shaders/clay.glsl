@@ -236,7 +236,7 @@ Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip
   Surface s;
 #ifdef DECORATED
   // Slip scatters light just below the glass, where the body takes some in: it is seen through less.
-  thick *= 1.0 - 0.65 * painted.a;
+  thick *= 1.0 - 0.88 * painted.a;
 #endif
   s.albedo = under * exp(thick * 1.15 * log(max(g.glass, vec3(1e-4)))) * 0.86;
   float glass = min(coat * 4.0, 1.0) * (1.0 - wiped);
@@ -357,8 +357,8 @@ void main() {
   shaped = textureLod(form, at, coat_level);
 #ifndef READ
 #if SKIN >= 2
-  // Glass runs level over it.
-  float level_ = 1.0 - 0.85 * min(4.0 * glaze.band_at.z, 1.0);
+  // Glass runs level over it; a melt's own slopes are known.
+  float level_ = mix(1.0 - 0.85 * min(4.0 * glaze.band_at.z, 1.0), 1.0, molten);
 #endif
 #if SKIN == 2
   n = bent(n, outward, level_);

@@ -8,6 +8,7 @@ uniform vec2 floor_rows;      // of the floor, from the wall to where it ends,
 uniform float floor_ends;     // metres from the axis
 uniform float coat_level;     // of the textures
 uniform float own_glaze;      // 1: the glaze that was laid on it melts, 0: the kiln's, all over
+uniform float molten;         // 1: slopes and glaze are those of the melt
 
 vec4 painted, shaped;  // of paint and form, here
 
