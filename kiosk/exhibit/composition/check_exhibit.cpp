@@ -230,7 +230,7 @@ void check_toml(CheckReport& report, const fs::path& file,
   } else if (has("body") && has("step")) {
     auto decoration = decoration::check_decoration(file);
     add(report, file, decoration.keys_checked, std::move(decoration.problems));
-  } else if (has("tool") && has("simplified")) {
+  } else if ((has("tool") && has("simplified")) || file.parent_path().filename() == "ways") {
     auto way = decoration::read_way(file, languages);
     add(report, file, way.keys_checked, std::move(way.problems));
   } else if (has("glaze")) {

@@ -8,6 +8,7 @@
 namespace onggi::exhibit {
 
 namespace {
+constexpr int kUpdatesAFrame = 3;  // of some 6 ms
 constexpr std::size_t kStampLength = sizeof("2026-05-04_141503") - 1;
 }  // namespace
 
@@ -28,8 +29,9 @@ void Keeping::look(double now) {
 void Keeping::make(const screens::MakeKeepsake& wish, const screens::ShelfCard& card,
                    screens::Visit& visit) {
   draw_rest();
-  auto taking = TakingHome::begin(wish, card, language_of(world_.languages, visit.language()),
-                                  world_.exhibit, world_.wheel_host, keepsakes_.token());
+  auto taking =
+      TakingHome::begin(wish, card, language_of(world_.languages, visit.language()), world_.exhibit,
+                        world_.names, world_.wheel_host, keepsakes_.token());
   if (!taking) return visit.keepsake_failed(taking.error());
   taking_ = std::move(*taking);
   left_handed_ = visit.shown_on().left_handed;
@@ -52,9 +54,14 @@ void Keeping::draw_keepsake(screens::Visit& visit) {
 
 void Keeping::draw_next() {
   drew_ = true;
+  if (decorated_ && !decorated_->settled()) {
+    // A visitor may be quicker than the kiln's melt.
+    for (int n = 0; n < kUpdatesAFrame && !decorated_->settled(); ++n) decorated_->update(0.0);
+    return;
+  }
   const ClayView& clay = world_.wheel_host.view().clay;
   world_.renderer.show_decoration(coat());
-  if (taking_->draw_next(world_.exhibit, clay, coat(), world_.renderer)) return;
+  if (taking_->draw_next(world_.exhibit, clay, decorated_.get(), world_.renderer)) return;
   TakenHome taken = std::move(taking_->taken);
   taking_.reset();
   const encoding::Caption caption = taken.keepsake.caption;
@@ -83,6 +90,7 @@ void Keeping::lose_screen() {
 }
 
 void Keeping::draw_rest() {
+  if (taking_ && decorated_) decorated_->finish();
   while (taking_) draw_next();
 }
 

@@ -90,7 +90,7 @@ class Keeping {
   Keepsakes keepsakes_;
   std::optional<TakingHome> taking_;
   /// Of the last keepsake; null: none. A visitor may leave while it is drawn.
-  std::shared_ptr<const decorating::DecoratedPot> decorated_;
+  std::shared_ptr<decorating::DecoratedPot> decorated_;
   const decoration::CoatPicture* coat() const {
     return decorated_ ? &decorated_->picture() : nullptr;
   }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <utility>
 
 namespace onggi::exhibit {
 
@@ -42,6 +44,18 @@ Coated coated(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin
   return out;
 }
 
+/// The direction round the pot in the surface with `normal`, `turn` of the way round. With the
+/// normal and the picture's top it is right-handed on every face.
+std::array<float, 4> tangent_of(const std::array<float, 3>& normal, float turn) {
+  const double angle = 2.0 * std::numbers::pi * double{turn};
+  const Vec3 out{double{normal[0]}, double{normal[1]}, double{normal[2]}};
+  Vec3 round{-std::sin(angle), 0.0, std::cos(angle)};
+  round = round - dot(out, round) * out;
+  round = (1.0 / std::max(length(round), 1e-9)) * round;
+  return {static_cast<float>(round.x), static_cast<float>(round.y), static_cast<float>(round.z),
+          1.0f};
+}
+
 }  // namespace
 
 std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
@@ -61,11 +75,16 @@ std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<vie
   return content::write_glb(pot.mesh, title, copyright, pot.parts, colors, 2);
 }
 
-std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
-                                 const std::string& surface, const std::string& title,
-                                 const std::string& copyright, const content::GlbPicture& picture) {
-  const Coated pot = coated(mesh, skin, surface, {1.0f, 1.0f, 1.0f});
-  return content::write_glb(pot.mesh, title, copyright, pot.parts, {}, 2, picture);
+std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::string& surface,
+                                 const std::string& title, const std::string& copyright,
+                                 content::GlbPicture picture) {
+  if (!picture.normals.empty()) {
+    picture.tangents.clear();
+    for (std::size_t n = 0; n < mesh.normals.size(); ++n)
+      picture.tangents.push_back(tangent_of(mesh.normals[n], picture.places[n][0]));
+  }
+  const content::GlbMaterial material{surface, {1.0f, 1.0f, 1.0f}, 1.0f};
+  return content::write_glb(mesh, title, copyright, {{0, material}}, {}, 2, picture);
 }
 
 }  // namespace onggi::exhibit

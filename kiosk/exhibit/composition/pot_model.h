@@ -20,9 +20,11 @@ std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<vie
                                  const std::string& surface, const std::string& title,
                                  const std::string& copyright);
 
-/// The same for a decorated pot: the picture colours it in place of colours at its positions.
-std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::vector<view::SkinPoint>& skin,
-                                 const std::string& surface, const std::string& title,
-                                 const std::string& copyright, const content::GlbPicture& picture);
+/// The same for a decorated pot, of one material: the pictures say how it looks in place of colours
+/// at its positions and steps of roughness. With a picture of normals it has tangents: round the
+/// pot, which is to the picture's right everywhere.
+std::vector<std::byte> pot_model(const TriangleMesh& mesh, const std::string& surface,
+                                 const std::string& title, const std::string& copyright,
+                                 content::GlbPicture picture);
 
 }  // namespace onggi::exhibit

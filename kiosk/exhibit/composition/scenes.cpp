@@ -33,6 +33,7 @@ Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attr
     WaysRead ways = read_ways(*exhibit.ways);
     files::log_problems(ways.problems);
     ways_ = std::move(ways.ways);
+    decorates_ = true;
   }
   if (!fires) return;
   auto glazes = content::read_glazes(exhibit.glazes, exhibit.languages, exhibit.translations);
@@ -115,16 +116,17 @@ std::vector<int> Scenes::in_order(const std::vector<std::string>& own) const {
   return order;
 }
 
-const decoration::Way* Scenes::way_of(const std::string& id) const {
-  auto found = ways_.find(id);
-  if (found == ways_.end()) found = ways_.find(kUsualWay);
-  return found != ways_.end() ? &found->second : nullptr;
+const decoration::Way* Scenes::way_of(const content::Vessel& vessel) const {
+  if (!decorates_) return nullptr;
+  const WayFound found = find_way(ways_, vessel.way, vessel.id);
+  if (found.problem && said_.insert(vessel.id).second) files::log_problem(*found.problem);
+  return found.way;
 }
 
 screens::SceneForVisitor Scenes::wheel_of(const content::Vessel& vessel) const {
   const SceneDef& def = of(vessel.id);
   screens::SceneForVisitor wheel;
-  wheel.way = way_of(vessel.way);
+  wheel.way = way_of(vessel);
   wheel.max_speed = def.wheel.max_speed;
   wheel.tool_radius = wheel.palm_radius = def.tool.radius;
   wheel.shown.clear();

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,9 @@ class Scenes {
   void tune_next();
   /// All glazes' indices, `own` first.
   std::vector<int> in_order(const std::vector<std::string>& own) const;
-  /// The way of that id, or the usual one; null where there is none.
-  const decoration::Way* way_of(const std::string& id) const;
+  /// The way of that vessel, or the usual one; null where there is none. Says in the log once a
+  /// vessel what is not as it should be.
+  const decoration::Way* way_of(const content::Vessel& vessel) const;
 
   SceneDef exhibits_;
   std::map<std::string, SceneDef> vessels_;
@@ -61,6 +63,8 @@ class Scenes {
   tuning::TunePlan plan_;
   std::vector<content::Glaze> glazes_;
   std::map<std::string, decoration::Way> ways_;
+  bool decorates_ = false;
+  mutable std::set<std::string> said_;  ///< Vessels whose way was complained about.
   std::vector<std::string> attract_scripts_;
 };
 

@@ -1,17 +1,26 @@
 #include "kiosk/exhibit/composition/taken_home.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <numbers>
+#include <string_view>
+#include <utility>
 
 #include "engine/clay/clay_mesh.h"
 #include "engine/profile/mesh.h"
+#include "kiosk/collection/decoration/relief.h"
 #include "kiosk/collection/decoration/unrolled.h"
+#include "kiosk/exhibit/composition/cones.h"
 #include "kiosk/exhibit/composition/pot_model.h"
+#include "kiosk/exhibit/composition/pot_relief.h"
+#include "kiosk/exhibit/composition/rollout_views.h"
 #include "kiosk/exhibit/composition/small_picture.h"
 #include "kiosk/exhibit/composition/words.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/wall_clock.h"
 #include "kiosk/keepsake/souvenir/postcard.h"
+#include "kiosk/picture/drawing/pot_sheet.h"
 
 namespace onggi::exhibit {
 
@@ -22,6 +31,8 @@ namespace {
 constexpr int kKeptRows = 240, kKeptSectors = 120;
 // Of a decorated one, whose picture takes as much as its corners save.
 constexpr int kPaintedRows = 160, kPaintedSectors = 96;
+// Of the body of a printed one, on which its relief lies.
+constexpr int kPrintedRows = 400, kPrintedSectors = 120;
 
 /// As much as a frame's share measures.
 class Shared final : public view::TextMeasure {
@@ -35,6 +46,19 @@ class Shared final : public view::TextMeasure {
   screens::Measuring& measuring_;
 };
 
+/// Of the relief's slopes, the share that is left under the glass, which melts level (clay.glsl).
+double seen_under(const std::optional<view::Glazing>& glazing) {
+  return glazing ? 1.0 - 0.85 * std::min(4.0 * glazing->coat, 1.0) : 1.0;
+}
+
+// Of the page: points of the outline, its zones, and how far a cone may lie from it before there is
+// another one.
+constexpr std::size_t kOutlinePoints = 200;
+constexpr int kMostZones = 6;
+constexpr double kConeTolerance = 1e-3;                  // m
+constexpr const char* kErrorHere = "{mm}";               // of the cones, known later
+constexpr double kPagePixels = 6000, kZonesGap = 0.010;  // of a metre; m
+
 void shrink(TriangleMesh& mesh, double size) {
   for (auto& at : mesh.positions)
     for (float& x : at) x *= static_cast<float>(size);
@@ -45,8 +69,9 @@ void shrink(TriangleMesh& mesh, double size) {
 Result<TakingHome> TakingHome::begin(const screens::MakeKeepsake& request,
                                      const screens::ShelfCard& card,
                                      const content::Language& language,
-                                     const settings::Exhibit& exhibit, loop::WheelHost& wheel_host,
-                                     const std::string& token) {
+                                     const settings::Exhibit& exhibit,
+                                     const content::KeepsakeNames& names,
+                                     loop::WheelHost& wheel_host, const std::string& token) {
   const content::Label label = card.vessel->label(language.code());
   const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;
   const content::Glaze* glaze =
@@ -85,6 +110,11 @@ Result<TakingHome> TakingHome::begin(const screens::MakeKeepsake& request,
     taking.phone_address_ = phone_address(exhibit, token);
     keepsake.phone = souvenir::ByPhone{token, exhibit.phone.hours, language.code(), {}};
   }
+  taking.names_ = &names;
+  taking.side_words_ = language.say("sheet.side");
+  taking.strip_words_ = language.say("sheet.strip");
+  taking.zones_words_ = language.say("sheet.zones", {{"mm", kErrorHere}});
+  taking.hands_ = {language.say("sheet.thrown_by"), language.say("sheet.decorated_by")};
   taking.made_ = request.made;
   // A pot that answers a description has no vessel under its section.
   taking.target_ = screens::mission_of_own(request.card) >= 0 ? request.made : card.target;
@@ -112,30 +142,85 @@ void TakingHome::make_model(const ClayView& clay, const std::string& copyright,
                             render::Renderer& renderer) {
   souvenir::Keepsake& keepsake = taken.keepsake;
   const std::string surface = taken.visit.glaze.empty() ? "clay" : taken.visit.glaze;
-  const int rows = unrolled_ ? kPaintedRows : kKeptRows;
-  const int sectors = unrolled_ ? kPaintedSectors : kKeptSectors;
-  ClayMesh pot = faced_mesh_of(clay, rows, sectors);
-  auto skin = renderer.read_skin(pot, taken.glazing);
-  if (!unrolled_) {
-    shrink(pot.mesh, size_);
-    keepsake.glb = pot_model(pot.mesh, skin, surface, words_.title, copyright);
-    return;
-  }
+  ClayMesh pot = faced_mesh_of(clay, kKeptRows, kKeptSectors);
+  const auto skin = renderer.read_skin(pot, taken.glazing);
+  shrink(pot.mesh, size_);
+  keepsake.glb = pot_model(pot.mesh, skin, surface, words_.title, copyright);
+}
+
+void TakingHome::make_painted(const ClayView& clay, const surface::Surface& surface,
+                              const std::string& copyright) {
+  ClayMesh pot = faced_mesh_of(clay, kPaintedRows, kPaintedSectors);
+  const double rings = static_cast<double>(pot.faces.size()) / kPaintedSectors;
   auto places = unrolled_->places_of(pot);
-  decoration::Skin painted{std::move(pot.mesh), std::move(places)};
-  for (const std::uint32_t one : decoration::close_round(painted)) skin.push_back(skin[one]);
-  shrink(painted.mesh, size_);
-  keepsake.painted =
-      souvenir::Painted{unrolled_->picture(), unrolled_->rollout(),
-                        [painted = std::move(painted), skin = std::move(skin), surface,
-                         title = words_.title, copyright](std::vector<std::byte> picture) {
-                          return pot_model(painted.mesh, skin, surface, title, copyright,
-                                           {painted.places, std::move(picture)});
-                        }};
+  auto painted =
+      std::make_shared<decoration::Skin>(decoration::Skin{std::move(pot.mesh), std::move(places)});
+  decoration::close_round(*painted);
+  shrink(painted->mesh, size_);
+  // A copy: the next visitor's hand is on the pot while a worker reads this.
+  const auto relief = std::make_shared<const surface::Surface>(surface);
+  const double share = seen_under(taken.glazing);
+  souvenir::Painted out{
+      unrolled_->picture(), unrolled_->roughness(), unrolled_->rollout(), {}, {}, {}, {}};
+  out.sheet = page_of(out.rollout);
+  out.normals = [relief, share, width = out.skin.width, height = out.skin.height] {
+    auto normals = decoration::normals_of(*relief, width, height, share);
+    return view::Image{normals.width, normals.height, std::move(normals.rgba)};
+  };
+  const std::string coat = taken.visit.glaze.empty() ? "clay" : taken.visit.glaze;
+  out.model = [painted, relief, coat, size = size_, share, rings, title = words_.title,
+               copyright](souvenir::Painted::Pictures pictures) {
+    raise(*painted, *relief, size, share, 1.0 / kPaintedSectors, 1.0 / rings);
+    return pot_model(painted->mesh, coat, title, copyright,
+                     {painted->places, std::move(pictures.skin), std::move(pictures.roughness),
+                      std::move(pictures.normals)});
+  };
+  ClayMesh body = faced_mesh_of(clay, kPrintedRows, kPrintedSectors);
+  auto body_places = unrolled_->places_of(body);
+  out.relief = [body = std::move(body), places = std::move(body_places), relief, size = size_,
+                title = words_.title] {
+    return souvenir::relief_file(relief_of(body, places, *relief, size, title));
+  };
+  taken.keepsake.painted = std::move(out);
+}
+
+std::function<view::Image(const std::string&)> TakingHome::page_of(view::Image strip) const {
+  drawing::PotSheet page;
+  page.title = words_.title;
+  page.right_to_left = words_.right_to_left;
+  for (const std::string& line : {words_.decorated, words_.glaze, words_.credit, words_.date})
+    if (!line.empty()) page.facts.push_back(line);
+  page.side_words = side_words_;
+  page.strip_words = strip_words_;
+  page.hands = hands_;
+  page.pot = made_;
+  for (ProfilePoint& point : page.pot.points)
+    point.height *= size_, point.outer *= size_, point.inner *= size_;
+  std::vector<Vec2> outline = unrolled_->outline();
+  for (Vec2& at : outline) at = size_ * at;
+  return [page, outline, strip = std::move(strip), names = names_, language = words_.language,
+          vessel = words_.vessel, zones_words = zones_words_](const std::string& spoken) mutable {
+    // Those who know its name find it at the desk.
+    page.subtitle = spoken.empty() ? vessel : names->said(spoken, language);
+    const std::vector<Vec2> even = evenly_along(outline, kOutlinePoints);
+    const std::vector<Cone> cones = cones_of(even, kConeTolerance, kMostZones);
+    double error = 0.0;
+    for (const Cone& cone : cones) error = std::max(error, cone.error);
+    page.zones_words = zones_words;
+    if (const auto at = zones_words.find(kErrorHere); at != std::string::npos)
+      page.zones_words.replace(at, std::string_view(kErrorHere).size(),
+                               std::to_string(std::max(1L, std::lround(std::ceil(1e3 * error)))));
+    page.side = {side_view(strip, even, page.pot.height(), kPagePixels), kPagePixels};
+    page.zones = {on_cones(strip, even, cones, kPagePixels, kZonesGap), kPagePixels};
+    double widest = 0.0;
+    for (const Vec2& at : even) widest = std::max(widest, at.x);
+    page.strip = {strip, strip.width / (2.0 * std::numbers::pi * widest)};
+    return drawing::draw_sheet(page);
+  };
 }
 
 bool TakingHome::draw_next(const settings::Exhibit& exhibit, const ClayView& clay,
-                           const decoration::CoatPicture* coat, render::Renderer& renderer) {
+                           const decorating::DecoratedPot* decorated, render::Renderer& renderer) {
   souvenir::Keepsake& keepsake = taken.keepsake;
   // The rows on the wheel are drawn, not the fired ones, because a picture shows no size.
   switch (next_) {
@@ -170,11 +255,14 @@ bool TakingHome::draw_next(const settings::Exhibit& exhibit, const ClayView& cla
       return true;
     }
     case Next::model:
-      if (coat != nullptr && !(unrolled_ && unrolled_->whole())) {
-        unroll(*coat, renderer);
+      if (decorated != nullptr && !(unrolled_ && unrolled_->whole())) {
+        unroll(decorated->picture(), renderer);
         return true;
       }
-      make_model(clay, exhibit.credit, renderer);
+      if (decorated != nullptr)
+        make_painted(clay, decorated->surface(), exhibit.credit);
+      else
+        make_model(clay, exhibit.credit, renderer);
       next_ = Next::nothing;
       return false;
     case Next::nothing:

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "engine/base/result.h"
+#include "kiosk/collection/content/keepsake_names.h"
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/score/score.h"
 #include "kiosk/collection/settings/exhibit.h"
@@ -47,16 +49,17 @@ struct TakenHome {
 class TakingHome {
  public:
   /// `card`: what the pot answers; `language`: of the words; with a `token` (Keepsakes::token())
-  /// there is a second postcard, with its QR code. Problem (exit 1) if the wheel does not return
-  /// the clay.
+  /// there is a second postcard, with its QR code. `names` outlive the keepsake's save. Problem
+  /// (exit 1) if the wheel does not return the clay.
   static Result<TakingHome> begin(const screens::MakeKeepsake& request,
                                   const screens::ShelfCard& card, const content::Language& language,
-                                  const settings::Exhibit& exhibit, loop::WheelHost& wheel_host,
+                                  const settings::Exhibit& exhibit,
+                                  const content::KeepsakeNames& names, loop::WheelHost& wheel_host,
                                   const std::string& token);
   /// Takes the next step: the postcard first, the pot's model (fired if the request says so) last.
-  /// False once all is drawn. `coat`: the decoration that `renderer` shows on it; null: none.
+  /// False once all is drawn. `decorated`: what `renderer` shows on it; null: nothing.
   bool draw_next(const settings::Exhibit& exhibit, const ClayView& clay,
-                 const decoration::CoatPicture* coat, render::Renderer& renderer);
+                 const decorating::DecoratedPot* decorated, render::Renderer& renderer);
   /// Complete when draw_next() has returned false.
   TakenHome taken;
   bool has_postcard() const { return !taken.keepsake.postcard.rgba.empty(); }
@@ -69,6 +72,11 @@ class TakingHome {
   /// Reads the skin of a decorated pot, some rows a step.
   void unroll(const decoration::CoatPicture& coat, render::Renderer& renderer);
   void make_model(const ClayView& clay, const std::string& copyright, render::Renderer& renderer);
+  /// Of a pot that is unrolled.
+  void make_painted(const ClayView& clay, const surface::Surface& surface,
+                    const std::string& copyright);
+  /// The page of it, to be drawn by a worker, in which it is called by its name.
+  std::function<view::Image(const std::string& spoken)> page_of(view::Image strip) const;
 
   enum class Next { words, postcard, phone_words, phone_card, small, plaster, model, nothing };
   Next next_ = Next::words;
@@ -76,6 +84,9 @@ class TakingHome {
   view::Frame card_;                               ///< The next postcard,
   std::unique_ptr<screens::Measuring> measuring_;  ///< and its words, while they are measured.
   std::string phone_address_;
+  const content::KeepsakeNames* names_ = nullptr;
+  std::string side_words_, strip_words_, zones_words_;  ///< Of its page; the last with "{mm}".
+  std::vector<std::string> hands_;
   Profile made_, target_;
   double size_ = 1.0;                    ///< Of the model; the clay has 1.
   std::optional<UnrolledPot> unrolled_;  ///< Of a decorated pot.

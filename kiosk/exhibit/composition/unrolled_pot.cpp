@@ -104,8 +104,30 @@ void UnrolledPot::take(const std::vector<view::SkinPoint>& skin) {
   for (const view::SkinPoint& point : skin) {
     for (const float light : point.color) picture_.rgba.push_back(content::display_of(light));
     picture_.rgba.push_back(255);
+    rough_.push_back(static_cast<std::uint8_t>(std::lround(255.0f * point.roughness)));
   }
   row_ += static_cast<int>(skin.size()) / kWidth;
+}
+
+std::vector<Vec2> UnrolledPot::outline() const {
+  std::vector<Vec2> out;
+  for (const ProfilePoint& point : made_.points)
+    if (point.height < shoulder_) out.push_back({point.outer, point.height});
+  out.push_back({out_, shoulder_});
+  return out;
+}
+
+view::Image UnrolledPot::roughness() const {
+  view::Image out{kWidth / 2, picture_.height / 2, {}};
+  out.rgba.reserve(4u * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      const auto at = static_cast<std::size_t>(2 * y) * kWidth + static_cast<std::size_t>(2 * x);
+      const int sum = rough_[at] + rough_[at + 1] + rough_[at + kWidth] + rough_[at + kWidth + 1];
+      const auto grey = static_cast<std::uint8_t>((sum + 2) / 4);
+      out.rgba.insert(out.rgba.end(), {grey, grey, grey, 255});
+    }
+  return out;
 }
 
 double UnrolledPot::lip_edge() const {

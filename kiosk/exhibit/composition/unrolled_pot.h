@@ -29,10 +29,16 @@ class UnrolledPot {
   ClayMesh next_places() const;
   void take(const std::vector<view::SkinPoint>& skin);
   const view::Image& picture() const { return picture_; }
+  /// How rough it is there, in grey, 0..255 for 0..1, half as wide and high: a coat has no finer
+  /// detail. A whole picture only.
+  view::Image roughness() const;
 
   /// Where the positions of the clay's mesh lie in it, 0..1 from the left and from the top. All
   /// that is under the foot lies at the top.
   std::vector<std::array<float, 2>> places_of(const ClayMesh& pot) const;
+  /// The outline of the outside, from the foot to where the rounding of the lip begins. m; x:
+  /// radius, y: height.
+  std::vector<Vec2> outline() const;
   /// The outside as it is seen, up to the lip: true along the outline, and round the pot where it
   /// is widest. A whole picture only.
   view::Image rollout() const;
@@ -57,7 +63,8 @@ class UnrolledPot {
   double lip_from_ = 0, lip_to_ = 0;                  // where the shoulders lie
   double outline_ = 0;                                // of the outside, m
   view::Image picture_;
-  int row_ = 0;  // the next to be read
+  std::vector<std::uint8_t> rough_;  ///< Of its pixels.
+  int row_ = 0;                      // the next to be read
 };
 
 }  // namespace onggi::exhibit

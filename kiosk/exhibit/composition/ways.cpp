@@ -39,6 +39,29 @@ WaysRead read_ways(const fs::path& folder) {
   return read;
 }
 
+WayFound find_way(const std::map<std::string, decoration::Way>& ways, const std::string& id,
+                  const std::string& vessel) {
+  const bool names_one = !id.empty();
+  if (const auto own = ways.find(names_one ? id : kUsualWay); own != ways.end())
+    return {&own->second, std::nullopt};
+  std::vector<std::string> all;
+  for (const auto& [each, way] : ways) all.push_back(each);
+  const auto usual = ways.find(kUsualWay);
+  const bool is_usual = usual != ways.end();
+  const std::string instead =
+      is_usual ? std::string("It is decorated by \"") + kUsualWay + "\"." : "It stays plain.";
+  if (names_one)
+    return {is_usual ? &usual->second : nullptr,
+            Problem{"the vessel " + vessel, "There is no good way \"" + id + "\". " + instead,
+                    remedy(id, all)}};
+  return {nullptr, Problem{"the vessel " + vessel,
+                           std::string("It names no way, and there is no good \"") + kUsualWay +
+                               "\". " + instead,
+                           std::string("Put ") + kUsualWay +
+                               ".toml back, or write way = \"ID\" in its "
+                               "vessel.toml."}};
+}
+
 settings::Problems unknown_ways(const fs::path& shelf, const std::vector<std::string>& ids,
                                 const std::vector<std::string>& ways,
                                 const std::vector<std::string>& glazes) {
@@ -53,6 +76,9 @@ settings::Problems unknown_ways(const fs::path& shelf, const std::vector<std::st
     std::string way;
     if (root.text("way", way) && !among(ways, way))
       root.complain("way", "There is no way \"" + way + "\".", remedy(way, ways));
+    if (!root.has("way") && !among(ways, kUsualWay))
+      root.complain("", std::string("It names no way, and there is no \"") + kUsualWay + "\".",
+                    std::string("Put ") + kUsualWay + ".toml back, or write way = \"ID\".");
     std::vector<std::string> own;
     root.texts("glazes", own);
     for (std::size_t n = 0; n < own.size(); ++n)

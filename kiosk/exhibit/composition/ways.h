@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,17 @@ struct WaysRead {
 };
 WaysRead read_ways(const std::filesystem::path& folder);
 
-/// Ways and glazes that the vessels `ids` of a shelf name, and that do not exist.
+/// What a vessel is decorated with that names the way `id`: that one of `ways`, else the usual one,
+/// else nothing. `problem` says where it is not what it should be; `vessel` is its id.
+struct WayFound {
+  const decoration::Way* way = nullptr;
+  std::optional<Problem> problem;
+};
+WayFound find_way(const std::map<std::string, decoration::Way>& ways, const std::string& id,
+                  const std::string& vessel);
+
+/// Ways and glazes that the vessels `ids` of a shelf name, and that do not exist; and a usual way
+/// that is missing where a vessel names none.
 settings::Problems unknown_ways(const std::filesystem::path& shelf,
                                 const std::vector<std::string>& ids,
                                 const std::vector<std::string>& ways,

@@ -64,12 +64,11 @@ souvenir::PostcardWords postcard_words(const content::Language& language,
   const std::time_t now = files::wall_now();
   souvenir::PostcardWords words;
   words.title = language.say("postcard.title", {{"vessel", label.title}});
-  words.vessel = label.culture;
-  if (!label.date.empty())
-    words.vessel =
-        label.culture.empty()
-            ? label.date
-            : language.say("all.list", {{"first", label.culture}, {"second", label.date}});
+  std::string where = label.culture.empty() ? label.date : label.culture;
+  if (!label.culture.empty() && !label.date.empty())
+    where = language.say("all.list", {{"first", label.culture}, {"second", label.date}});
+  // Alone it would tell where the visitor's own pot was made.
+  if (!where.empty()) words.vessel = language.say("postcard.vessel", {{"where", where}});
   words.credit = exhibit.credit;
   words.date = date_in(language, now);
   words.language = language.code();

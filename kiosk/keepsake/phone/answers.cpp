@@ -20,11 +20,10 @@ struct File {
   const char* type;
   bool saved;
 };
-constexpr File kFiles[] = {{souvenir::kPostcard, "image/jpeg", false},
-                           {souvenir::kTurning, "image/gif", false},
-                           {souvenir::kRollout, "image/jpeg", false},
-                           {souvenir::kPotGlb, "model/gltf-binary", false},
-                           {souvenir::kPotStl, "model/stl", true}};
+constexpr File kFiles[] = {
+    {souvenir::kPostcard, "image/jpeg", false},      {souvenir::kTurning, "image/gif", false},
+    {souvenir::kRollout, "image/jpeg", false},       {souvenir::kSheet, "image/jpeg", false},
+    {souvenir::kPotGlb, "model/gltf-binary", false}, {souvenir::kPotStl, "model/stl", true}};
 
 struct PageFile {
   const char *name, *type, *text;
@@ -104,7 +103,8 @@ Answer Answers::to(const Ask& ask) {
     return {.status = 200,
             .body = visitors_page(pass->token, *words, own, languages_,
                                   {.turning = passes_.has_file(*pass, souvenir::kTurning),
-                                   .rollout = passes_.has_file(*pass, souvenir::kRollout)})};
+                                   .rollout = passes_.has_file(*pass, souvenir::kRollout),
+                                   .sheet = passes_.has_file(*pass, souvenir::kSheet)})};
   }
   for (const File& file : kFiles) {
     if (what != file.name) continue;

@@ -33,7 +33,7 @@ struct Answer {
 /// The visitor's page and its files:
 ///   GET  /k/TOKEN               the page: postcard, turning pot, downloads, delete; in the
 ///                               visit's language, or that of ?lang=CODE
-///   GET  /k/TOKEN/postcard.jpg, turning.gif, rollout.jpg, pot.glb, pot.stl
+///   GET  /k/TOKEN/postcard.jpg, turning.gif, rollout.jpg, sheet.jpg, pot.glb, pot.stl
 ///                               whole, or one span of bytes
 ///   POST /k/TOKEN/delete        removes every copy at once
 ///   GET  /page.js, .css, .svg   the same for everybody

@@ -63,7 +63,8 @@ std::string visitors_page(const std::string& token, const PhoneWords& w, const P
           "</figcaption></figure><img src=\"" + at + "/postcard.jpg\" alt=\"" + safe(w["title"]) +
           "\" width=\"1500\" height=\"2100\">" + link("postcard.jpg", "postcard") +
           (pictures.turning ? link("turning.gif", "turning") : "") +
-          (pictures.rollout ? link("rollout.jpg", "rollout") : "") + link("pot.glb", "model") +
+          (pictures.rollout ? link("rollout.jpg", "rollout") : "") +
+          (pictures.sheet ? link("sheet.jpg", "sheet") : "") + link("pot.glb", "model") +
           link("pot.stl", "print") + "<p>" + safe(w["until"]) +
           // The visitor must confirm, also without a script.
           "</p><details><summary>" + safe(w["delete"]) +

@@ -8,7 +8,7 @@ namespace onggi::phone {
 
 /// Pictures that not every keepsake has.
 struct Pictures {
-  bool turning = false, rollout = false;
+  bool turning = false, rollout = false, sheet = false;
 };
 
 /// The whole page of `token` in `words`. It offers every other language, first `own` (the phone's,

@@ -83,14 +83,23 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
     if (!picture) return tl::unexpected(picture.error());
     small = std::move(*picture);
   }
-  std::vector<std::byte> glb = keepsake.glb, rollout;
+  std::vector<std::byte> glb = keepsake.glb, rollout, sheet, relief;
   if (keepsake.painted) {
-    auto skin = encoded(keepsake.painted->skin, {});
+    const Painted& painted = *keepsake.painted;
+    auto skin = encoded(painted.skin, {});
     if (!skin) return tl::unexpected(skin.error());
-    glb = keepsake.painted->model(std::move(*skin));
-    auto picture = encoded(keepsake.painted->rollout, keepsake.caption);
+    auto roughness = encoded(painted.roughness, {});
+    if (!roughness) return tl::unexpected(roughness.error());
+    auto normals = encoded(painted.normals(), {});
+    if (!normals) return tl::unexpected(normals.error());
+    glb = painted.model({std::move(*skin), std::move(*roughness), std::move(*normals)});
+    auto picture = encoded(painted.rollout, keepsake.caption);
     if (!picture) return tl::unexpected(picture.error());
     rollout = std::move(*picture);
+    relief = painted.relief();
+    auto drawn = encoded(painted.sheet(keepsake.spoken), keepsake.caption);
+    if (!drawn) return tl::unexpected(drawn.error());
+    sheet = std::move(*drawn);
   }
   const std::string shown = keepsake.small ? text_of(*keepsake.small) : std::string();
   const std::string spoken = keepsake.spoken.empty() ? std::string() : keepsake.spoken + '\n';
@@ -120,7 +129,8 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
        {write(files.postcard, kPostcard, *postcard),
         write(files.print, kPrint, files.token.empty() ? nothing : *print),
         write(files.glb, kPotGlb, glb), write(files.replay, kReplay, replay),
-        write(files.rollout, kRollout, rollout), write(unnamed, kSmall, small),
+        write(files.rollout, kRollout, rollout), write(unnamed, kSheet, sheet),
+        write(unnamed, kRelief, relief), write(unnamed, kSmall, small),
         write(unnamed, kShown, std::as_bytes(std::span(shown))),
         write(unnamed, kSpoken, std::as_bytes(std::span(spoken)))}) {
     if (!written) return tl::unexpected(written.error());

@@ -26,10 +26,19 @@ struct ByPhone {
 
 /// What a decorated pot has besides.
 struct Painted {
-  view::Image skin;     ///< All of its surface, unrolled, for its model.
-  view::Image rollout;  ///< The outside as it is seen, unrolled.
-  /// The GLB, made of `skin` as JPEG. Called on the worker thread.
-  std::function<std::vector<std::byte>(std::vector<std::byte> skin)> model;
+  view::Image skin;       ///< All of its surface, unrolled, for its model,
+  view::Image roughness;  ///< and how rough it is there.
+  view::Image rollout;    ///< The outside as it is seen, unrolled.
+  /// JPEGs.
+  struct Pictures {
+    std::vector<std::byte> skin, roughness, normals;
+  };
+  // Called on the worker thread, in this order.
+  std::function<view::Image()> normals;  ///< Of its surface: where it faces.
+  std::function<std::vector<std::byte>(Pictures pictures)> model;  ///< The GLB.
+  std::function<std::vector<std::byte>()> relief;  ///< What its STL is made of: relief_file().
+  /// It drawn on a page; `spoken`: Keepsake's.
+  std::function<view::Image(const std::string& spoken)> sheet;
 };
 
 /// All files that a visitor gets from one visit.
@@ -64,15 +73,15 @@ struct KeepsakeLimits {
 };
 
 /// Writes `<folder>/<name>/{postcard.jpg,pot.glb,visit.onggi,name.txt}`, the replay packed
-/// (files::packed()), print.jpg for a phone's visitor, rollout.jpg of a decorated pot, and for the
-/// gallery small.jpg and pot.txt. Then it tidies, but never removes the visit just written;
-/// Problems of tidy() are dropped here and come back at its next call. A visit is complete or
-/// absent even after a power cut, because it is written as `<name>.partial` and then renamed. Only
-/// folders that save() wrote are ever removed. On a Problem (exit 1) nothing unfinished is left.
-/// Blocks (worker thread); not twice at once for the same folder. With `keepsake.phone` the pass is
-/// created just before the folder is complete, and it is valid from then on; print.jpg is written
-/// only if the pass exists. postcard.jpg, which goes to the phone and may be passed on, never has
-/// the code, because the code allows deleting.
+/// (files::packed()), print.jpg for a phone's visitor, rollout.jpg, sheet.jpg and
+/// relief.onggi of a decorated pot, and for the gallery small.jpg and pot.txt. Then it tidies, but
+/// never removes the visit just written; Problems of tidy() are dropped here and come back at its
+/// next call. A visit is complete or absent even after a power cut, because it is written as
+/// `<name>.partial` and then renamed. Only folders that save() wrote are ever removed. On a Problem
+/// (exit 1) nothing unfinished is left. Blocks (worker thread); not twice at once for the same
+/// folder. With `keepsake.phone` the pass is created just before the folder is complete, and it is
+/// valid from then on; print.jpg is written only if the pass exists. postcard.jpg, which goes to
+/// the phone and may be passed on, never has the code, because the code allows deleting.
 Result<KeepsakeFiles> save(const Keepsake& keepsake, const std::filesystem::path& folder,
                            const KeepsakeLimits& limits);
 

@@ -123,9 +123,10 @@ std::optional<Pass> OpenPasses::find(std::string_view token, std::int64_t now, W
 std::optional<KeepsakeFile> OpenPasses::open_file(const Pass& pass, const char* name) const {
   auto opened = files::open_beneath(keepsakes_, pass.visit + '/' + name);
   std::optional<StlOfPot> stl;
-  // An STL is made of the model as it is sent. Only old keepsakes have one.
+  // An STL is made of the relief or the model as it is sent. Only old keepsakes have one.
   if (!opened && std::string_view(name) == kPotStl) {
-    opened = files::open_beneath(keepsakes_, pass.visit + '/' + kPotGlb);
+    opened = files::open_beneath(keepsakes_, pass.visit + '/' + kRelief);
+    if (!opened) opened = files::open_beneath(keepsakes_, pass.visit + '/' + kPotGlb);
     if (opened) stl = StlOfPot::of(*opened);
     if (!stl) return {};
   }

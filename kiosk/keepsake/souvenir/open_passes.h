@@ -21,9 +21,10 @@ namespace onggi::souvenir {
 /// A file of a keepsake, opened: only the pieces that are read are in memory.
 struct KeepsakeFile {
   files::Descriptor file;
-  std::uint64_t size = 0;       ///< Bytes when it was opened.
-  std::string tag;              ///< The same for the same bytes, another for others; 16 letters.
-  std::optional<StlOfPot> stl;  ///< `file` is the pot's model, and its STL is what was asked for.
+  std::uint64_t size = 0;  ///< Bytes when it was opened.
+  std::string tag;         ///< The same for the same bytes, another for others; 16 letters.
+  /// `file` is the pot's relief or model, and its STL is what was asked for.
+  std::optional<StlOfPot> stl;
 };
 
 /// The passes as the web process knows them (Passes has those who give them). The tokens are kept

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "kiosk/ground/files/byte_writer.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
@@ -72,6 +73,15 @@ Point unit_normal(const Point& a, const Point& b, const Point& c) {
           static_cast<float>(n[2] / length)};
 }
 
+/// A triangle as it stands in the file.
+void put_triangle(const std::array<Point, 3>& face, std::span<std::byte> into) {
+  files::ByteWriter out(kTriangle);
+  out.f32s(unit_normal(face[0], face[1], face[2]));
+  for (const Point& point : face) out.f32s(point);
+  out.u16(0);
+  std::ranges::copy(out.bytes(), into.begin());
+}
+
 /// The letters that an STL begins with. They must not be "solid": readers would take it for the
 /// text form.
 std::string letters_of(const std::string& title) {
@@ -92,7 +102,23 @@ std::uint64_t offset_of(const json& document, const json& accessor) {
 
 }  // namespace
 
-std::optional<StlOfPot> StlOfPot::of(const files::Descriptor& glb) {
+std::optional<StlOfPot> StlOfPot::of(const files::Descriptor& file) {
+  auto relief = ReliefStl::of(file);
+  if (!relief) return of_glb(file);
+  StlOfPot stl;
+  stl.begin(relief->title(), relief->triangles());
+  stl.relief_ = std::move(relief);
+  return stl;
+}
+
+void StlOfPot::begin(const std::string& title, std::uint64_t triangles) {
+  const std::string letters = letters_of(title);
+  std::memcpy(head_.data(), letters.data(), kLetters);
+  for (std::size_t n = 0; n < 4; ++n)
+    head_[kLetters + n] = static_cast<std::byte>(triangles >> (8 * n));
+}
+
+std::optional<StlOfPot> StlOfPot::of_glb(const files::Descriptor& glb) {
   std::array<std::byte, 20> begin{};
   if (!read_at(glb, 0, begin.data(), begin.size()) || number(begin.data(), 4) != kGlb ||
       number(&begin[16], 4) != kJson)
@@ -139,19 +165,17 @@ std::optional<StlOfPot> StlOfPot::of(const files::Descriptor& glb) {
       all += part.triangles;
       stl.parts_.push_back(part);
     }
-    const std::string letters = letters_of(mesh.value("name", std::string()));
-    std::memcpy(stl.head_.data(), letters.data(), kLetters);
+    stl.begin(mesh.value("name", std::string()), all);
   } catch (const json::exception&) {
     return {};
   }
   if (all > kMostTriangles) return {};
-  for (std::size_t n = 0; n < 4; ++n)
-    stl.head_[kLetters + n] = static_cast<std::byte>(all >> (8 * n));
   return stl;
 }
 
 std::uint64_t StlOfPot::size() const {
   std::uint64_t size = kHead;
+  if (relief_) size += kTriangle * relief_->triangles();
   for (const Part& part : parts_) size += kTriangle * part.triangles;
   return size;
 }
@@ -178,16 +202,21 @@ bool StlOfPot::triangles(const files::Descriptor& glb, const Part& part, std::ui
     std::array<Point, 3> face;
     for (std::size_t k = 0; k < 3; ++k)
       face[k] = to_printer(&positions[kPoint * (corner(n + k) - low)]);
-    files::ByteWriter out(kTriangle);
-    out.f32s(unit_normal(face[0], face[1], face[2]));
-    for (const Point& point : face) out.f32s(point);
-    out.u16(0);
-    std::ranges::copy(out.bytes(), into.begin() + static_cast<std::ptrdiff_t>(n / 3 * kTriangle));
+    put_triangle(face, into.subspan(n / 3 * kTriangle, kTriangle));
   }
   return true;
 }
 
-bool StlOfPot::read(const files::Descriptor& glb, std::uint64_t from,
+bool StlOfPot::relief_triangles(const files::Descriptor& file, std::uint64_t first,
+                                std::span<std::byte> into) const {
+  std::vector<ReliefStl::Triangle> faces(into.size() / kTriangle);
+  if (!relief_->read(file, first, faces)) return false;
+  for (std::size_t n = 0; n < faces.size(); ++n)
+    put_triangle(faces[n], into.subspan(n * kTriangle, kTriangle));
+  return true;
+}
+
+bool StlOfPot::read(const files::Descriptor& file, std::uint64_t from,
                     std::span<std::byte> into) const {
   const std::uint64_t to = from + into.size();
   if (to > size()) return false;
@@ -196,32 +225,50 @@ bool StlOfPot::read(const files::Descriptor& glb, std::uint64_t from,
     std::ranges::copy(some.first(std::min(some.size(), into.size())), into.begin());
   }
   std::uint64_t begin = kHead;  // of the part
-  for (const Part& part : parts_) {
-    const std::uint64_t end = begin + kTriangle * part.triangles;
+  // Of `count` triangles that follow, those within the span.
+  const auto some_of = [&](std::uint64_t count, const auto& made) {
+    const std::uint64_t end = begin + kTriangle * count;
     const std::uint64_t wanted = std::max(begin, from), until = std::min(end, to);
     if (wanted < until) {
       const std::uint64_t first = (wanted - begin) / kTriangle;
       const std::uint64_t last = (until - begin + kTriangle - 1) / kTriangle;
       std::vector<std::byte> whole(static_cast<std::size_t>(kTriangle * (last - first)));
-      if (!triangles(glb, part, first, whole)) return false;
+      if (!made(first, std::span(whole))) return false;
       const auto skipped = static_cast<std::size_t>(wanted - begin - kTriangle * first);
       std::ranges::copy(std::span(whole).subspan(skipped, static_cast<std::size_t>(until - wanted)),
                         into.begin() + static_cast<std::ptrdiff_t>(wanted - from));
     }
     begin = end;
-  }
+    return true;
+  };
+  if (relief_)
+    return some_of(relief_->triangles(), [&](std::uint64_t first, std::span<std::byte> whole) {
+      return relief_triangles(file, first, whole);
+    });
+  for (const Part& part : parts_)
+    if (!some_of(part.triangles, [&](std::uint64_t first, std::span<std::byte> whole) {
+          return triangles(file, part, first, whole);
+        }))
+      return false;
   return true;
 }
 
 Result<std::vector<std::byte>> stl_of_visit(const std::filesystem::path& visit) {
-  const std::filesystem::path glb = visit / kPotGlb;
-  const files::Descriptor opened(::open(glb.c_str(), O_RDONLY | O_CLOEXEC));
+  const std::filesystem::path glb = visit / kPotGlb, relief = visit / kRelief;
+  // Neither a pipe nor a link: nobody waits for another program, and no other pot is read.
+  constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW;
+  files::Descriptor opened(::open(relief.c_str(), kFlags));
+  const bool has_relief = opened.open();
+  if (!has_relief) opened = files::Descriptor(::open(glb.c_str(), kFlags));
   const auto stl = opened.open() ? StlOfPot::of(opened) : std::nullopt;
   std::vector<std::byte> bytes(stl ? static_cast<std::size_t>(stl->size()) : 0);
-  if (!stl || !stl->read(opened, 0, bytes))
-    return problem(glb.string(), "This is not the model of a kept pot.",
-                   "Name the folder of a visit that onggi kept.");
-  return bytes;
+  if (stl && stl->read(opened, 0, bytes)) return bytes;
+  if (has_relief)
+    return problem(relief.string(), "This relief of a pot is damaged.",
+                   "Move it out of the folder: the STL is then made from " + std::string(kPotGlb) +
+                       ", without what was cut and laid on.");
+  return problem(glb.string(), "This is not the model of a kept pot.",
+                 "Name the folder of a visit that onggi kept.");
 }
 
 }  // namespace onggi::souvenir

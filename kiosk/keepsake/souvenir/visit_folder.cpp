@@ -37,9 +37,9 @@ bool is_plain(char c) {
 /// True for files that save() writes, or parts of one that a power cut left
 /// (".postcard.jpg.12-3.part").
 bool is_ours(const std::string& file) {
-  constexpr std::array<std::string_view, 11> names{kRollout, kPostcard,    kPrint, kPotGlb,
-                                                   kReplay,  kSmall,       kShown, kSpoken,
-                                                   kTurning, kPostcardPng, kPotStl};
+  constexpr std::array<std::string_view, 13> names{
+      kRollout, kRelief, kSheet,  kPostcard, kPrint,       kPotGlb, kReplay,
+      kSmall,   kShown,  kSpoken, kTurning,  kPostcardPng, kPotStl};
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
     return file == name ||
            (file.starts_with("." + std::string(name) + ".") && file.ends_with(".part"));

@@ -18,6 +18,8 @@ inline constexpr const char* kPrint = "print.jpg";  ///< With the code of the vi
 inline constexpr const char* kPotGlb = "pot.glb";
 inline constexpr const char* kReplay = "visit.onggi";
 inline constexpr const char* kRollout = "rollout.jpg";  ///< A decorated pot's outside, unrolled.
+inline constexpr const char* kSheet = "sheet.jpg";      ///< It drawn, with section and view.
+inline constexpr const char* kRelief = "relief.onggi";  ///< What its STL is made of.
 inline constexpr const char* kSmall = "small.jpg";      ///< The pot alone, for the gallery,
 inline constexpr const char* kShown = "pot.txt";        ///< and its facts for the gallery.
 

@@ -2,8 +2,8 @@
 // WebGL alone. Where there is no WebGL, or the file is none, the window stays hidden: the postcard is a picture of it.
 "use strict";
 
-// GLB 2.0, as the kiosk writes it: positions, normals, and colours or places in a picture that all primitives share, and
-// of each its triangles, its colour and how rough it is.
+// GLB 2.0, as the kiosk writes it: positions, normals, and colours or places in pictures that all primitives share, and
+// of each its triangles, its colour and how rough it is. The pictures say colour, roughness, and where the surface faces.
 async function readPot(bytes) {
   const head = new DataView(bytes);
   if (head.getUint32(0, true) !== 0x46546c67) throw new Error("no GLB");
@@ -27,15 +27,18 @@ async function readPot(bytes) {
     const { baseColorFactor: color = plain, roughnessFactor: rough = 1 } = surface;
     return { first, count: own.length, color: color.slice(0, 3), rough };
   });
-  let picture = null;
-  if (gltf.images) {
-    const { bufferView, mimeType: type } = gltf.images[0];
+  const picture = (texture) => {
+    if (!texture) return null;
+    const { bufferView, mimeType: type } = gltf.images[gltf.textures[texture.index].source];
     const { byteOffset, byteLength } = gltf.bufferViews[bufferView];
-    picture = await createImageBitmap(new Blob([new Uint8Array(bytes, bin + byteOffset, byteLength)], { type }));
-  }
+    return createImageBitmap(new Blob([new Uint8Array(bytes, bin + byteOffset, byteLength)], { type }));
+  };
+  const { pbrMetallicRoughness: coat = {}, normalTexture } = gltf.materials ? gltf.materials[0] : {};
   return {
     positions,
-    picture,
+    skin: await picture(coat.baseColorTexture),
+    sheen: await picture(coat.metallicRoughnessTexture),
+    relief: await picture(normalTexture),
     places: TEXCOORD_0 === undefined ? new Float32Array(positions.length / 3 * 2) : array(TEXCOORD_0),
     normals: array(NORMAL),
     colors: COLOR_0 === undefined ? new Uint16Array(positions.length / 3 * 4).fill(65535) : array(COLOR_0),
@@ -63,7 +66,7 @@ attribute vec2 lies;
 varying vec2 spot;
 uniform vec3 middle;
 uniform float size, turn, tilt, near;
-varying vec3 facing, own, place;
+varying vec3 facing, own, place, round;
 vec3 turned(vec3 p) {
   vec3 q = vec3(cos(turn) * p.x + sin(turn) * p.z, p.y, cos(turn) * p.z - sin(turn) * p.x);
   return vec3(q.x, cos(tilt) * q.y - sin(tilt) * q.z, sin(tilt) * q.y + cos(tilt) * q.z);
@@ -72,6 +75,7 @@ void main() {
   facing = turned(normal);
   own = tint;
   spot = lies;
+  round = turned(vec3(-sin(6.2831853 * lies.x), 0.0, cos(6.2831853 * lies.x)));
   vec3 p = turned(at - middle) / size;
   place = p;
   gl_Position = vec4(p.xy * 1.4 * near, -0.5 * p.z, 1.7 - 0.35 * p.z);
@@ -80,14 +84,17 @@ const FRAGMENT = `
 precision highp float;
 uniform vec3 color;
 uniform float rough;
-uniform sampler2D skin;
+uniform sampler2D skin, sheen, relief;
 varying vec2 spot;
-varying vec3 facing, own, place;
+varying vec3 facing, own, place, round;
 void main() {
   vec3 n = normalize(gl_FrontFacing ? facing : -facing), window = normalize(vec3(-0.5, 0.6, 0.8));
+  // Red goes round the pot, green to the picture's top.
+  vec3 bent = texture2D(relief, spot).rgb * 2.0 - 1.0;
+  n = normalize(bent.x * round + bent.y * cross(n, round) + bent.z * n);
   float light = 0.25 + 0.15 * n.y + 0.6 * (0.5 + 0.5 * dot(n, window));
   // A window's light on the glass, as wide as the glaze is rough; glass gives back a twenty-fifth.
-  float wide = max(rough, 0.3), sharp = 2.0 / (wide * wide * wide * wide) - 2.0;
+  float wide = max(rough * texture2D(sheen, spot).g, 0.3), sharp = 2.0 / (wide * wide * wide * wide) - 2.0;
   vec3 eye = normalize(vec3(0.0, 0.0, 4.86) - place);
   float shine = 0.04 * (sharp + 8.0) / 25.0 * pow(max(dot(n, normalize(window + eye)), 0.0), sharp);
   gl_FragColor = vec4(pow(min(color * own * pow(texture2D(skin, spot).rgb, vec3(2.2)) * light + shine, 1.0), vec3(0.4545)), 1.0);
@@ -118,12 +125,17 @@ function show(canvas, pot) {
   }
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, pot.triangles, gl.STATIC_DRAW);
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-  const shown = [gl.TEXTURE_2D, 0, gl.RGBA];
-  if (pot.picture) gl.texImage2D(...shown, gl.RGBA, gl.UNSIGNED_BYTE, pot.picture);
-  else gl.texImage2D(...shown, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4).fill(255));
-  gl.generateMipmap(gl.TEXTURE_2D);
   const uniform = (name) => gl.getUniformLocation(program, name);
+  for (const [unit, name, plain] of [[0, "skin", [255, 255, 255, 255]], [1, "sheen", [255, 255, 255, 255]],
+    [2, "relief", [128, 128, 255, 255]]]) {
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    const shown = [gl.TEXTURE_2D, 0, gl.RGBA];
+    if (pot[name]) gl.texImage2D(...shown, gl.RGBA, gl.UNSIGNED_BYTE, pot[name]);
+    else gl.texImage2D(...shown, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, Uint8Array.from(plain));
+    gl.generateMipmap(gl.TEXTURE_2D);
+    gl.uniform1i(uniform(name), unit);
+  }
   const { middle, half } = boundsOf(pot.positions);
   gl.uniform3fv(uniform("middle"), middle);
   gl.uniform1f(uniform("size"), half);

@@ -127,6 +127,37 @@ TEST(UnrolledPot, NoCornerOfTheModelsMeshIsOutsideItAndEachFaceHasItsPart) {
   }
 }
 
+TEST(UnrolledPot, WhatIsPolishedIsDarkerInThePictureOfRoughness) {
+  const Pot pot;
+  UnrolledPot unrolled(pot.made, pot.coat);
+  // A band of a quarter of the rows, and a column's width in it that is rough.
+  int row = 0;
+  while (!unrolled.whole()) {
+    const std::size_t places = unrolled.next_places().faces.size();
+    std::vector<view::SkinPoint> skin(places);
+    for (std::size_t n = 0; n < places; ++n) {
+      const double y = (row + static_cast<double>(n / UnrolledPot::kWidth)) / unrolled.height();
+      const bool polished = y >= 0.25 && y < 0.5 && n % UnrolledPot::kWidth != 101;
+      skin[n].roughness = polished ? 0.28f : 0.8f;
+    }
+    row += static_cast<int>(places) / UnrolledPot::kWidth;
+    unrolled.take(skin);
+  }
+  const view::Image rough = unrolled.roughness();
+  EXPECT_EQ(rough.width, UnrolledPot::kWidth / 2);
+  EXPECT_EQ(rough.height, unrolled.height() / 2);
+  ASSERT_EQ(rough.rgba.size(), 4u * static_cast<std::size_t>(rough.width * rough.height));
+  const auto at = [&](int x, double y) {
+    const auto line = static_cast<std::size_t>(y * rough.height);
+    return rough
+        .rgba[4 * (line * static_cast<std::size_t>(rough.width) + static_cast<std::size_t>(x))];
+  };
+  EXPECT_EQ(at(300, 0.4), 71) << "0.28 of 255";
+  EXPECT_EQ(at(300, 0.1), 204);
+  EXPECT_EQ(at(300, 0.9), 204);
+  EXPECT_EQ(at(50, 0.4), (71 + 204 + 1) / 2) << "two pixels wide";
+}
+
 TEST(UnrolledPot, TheRolloutStandsOnItsFootAndReadsAsSeenFromOutside) {
   const Pot pot;
   const auto left_half = [](double x) { return x < 0.5 ? 1.0f : 0.0f; };

@@ -69,6 +69,22 @@ TEST_F(PhoneTest, TheRolloutIsOfferedWhereThereIsOne) {
   EXPECT_FALSE(fs::exists(keepsakes_ / kVisit));
 }
 
+TEST_F(PhoneTest, TheDrawingIsOfferedWhereThereIsOne) {
+  const std::string at = "/k/" + token();
+  EXPECT_THAT(get(at), Not(HasSubstr("sheet.jpg")));
+  EXPECT_THAT(get(at + "/sheet.jpg"), StartsWith("HTTP/1.1 404"));
+  std::ofstream(keepsakes_ / kVisit / "sheet.jpg") << "drawn";
+  EXPECT_THAT(get(at), HasSubstr("download href=\"" + at + "/sheet.jpg\""));
+  const std::string picture = get(at + "/sheet.jpg");
+  EXPECT_THAT(picture, HasSubstr("Content-Type: image/jpeg"));
+  EXPECT_EQ(test::body_of(picture), "drawn");
+  // What the STL is made of is nobody's.
+  std::ofstream(keepsakes_ / kVisit / "relief.onggi") << "fine";
+  EXPECT_THAT(get(at + "/relief.onggi"), StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(get(at + "/delete", "POST"), StartsWith("HTTP/1.1 200"));
+  EXPECT_FALSE(fs::exists(keepsakes_ / kVisit));
+}
+
 TEST_F(PhoneTest, WhoeverHasNoPassIsToldTheSameWhateverIsAsked) {
   const std::string good = token(), expired = token(1), deleted = token();
   now_ = kNow + 2 * kHour;

@@ -96,20 +96,37 @@ TEST(keepsake, a_decorated_pot_has_its_model_made_of_its_picture_and_its_outside
   const ScratchFolder scratch;
   Keepsake k = keepsake();
   k.glb.clear();
-  std::vector<std::byte> skin;
-  k.painted = Painted{{64, 32, std::vector<std::uint8_t>(64 * 32 * 4, 90)},
-                      {64, 20, std::vector<std::uint8_t>(64 * 20 * 4, 90)},
-                      [&](std::vector<std::byte> jpeg) {
-                        skin = std::move(jpeg);
+  const auto grey = [](int height, std::uint8_t value) {
+    return view::Image{64, height, std::vector<std::uint8_t>(64u * height * 4u, value)};
+  };
+  Painted::Pictures got;
+  k.painted = Painted{grey(32, 90),
+                      grey(16, 90),
+                      grey(20, 90),
+                      [&] { return grey(32, 128); },
+                      [&](Painted::Pictures jpegs) {
+                        got = std::move(jpegs);
                         return std::vector<std::byte>{std::byte{'m'}};
+                      },
+                      [] { return std::vector<std::byte>(2, std::byte{'r'}); },
+                      [&](const std::string& spoken) {
+                        EXPECT_EQ(spoken, "quiet-blue-heron");
+                        return grey(44, 200);
                       }};
+  k.spoken = "quiet-blue-heron";
   const auto files = save(k, scratch.path(), {100});
   ASSERT_TRUE(files) << to_text(files.error());
   EXPECT_THAT(names_in(files->folder),
-              ElementsAre("postcard.jpg", "pot.glb", "rollout.jpg", "visit.onggi"));
-  ASSERT_GT(skin.size(), 2u);
-  EXPECT_EQ(skin[0], std::byte{0xFF});
-  EXPECT_EQ(skin[1], std::byte{0xD8}) << "a JPEG";
+              ElementsAre("name.txt", "postcard.jpg", "pot.glb", "relief.onggi", "rollout.jpg",
+                          "sheet.jpg", "visit.onggi"));
+  EXPECT_GT(fs::file_size(files->folder / "sheet.jpg"), 100u);
+  EXPECT_EQ(fs::file_size(files->folder / "relief.onggi"), 2u);
+  for (const auto& jpeg : {got.skin, got.roughness, got.normals}) {
+    ASSERT_GT(jpeg.size(), 2u);
+    EXPECT_EQ(jpeg[0], std::byte{0xFF});
+    EXPECT_EQ(jpeg[1], std::byte{0xD8}) << "a JPEG";
+  }
+  EXPECT_NE(got.skin, got.normals);
   EXPECT_EQ(fs::file_size(files->glb), 1u);
   EXPECT_EQ(files->rollout, files->folder / "rollout.jpg");
   EXPECT_GT(fs::file_size(files->rollout), 100u);
