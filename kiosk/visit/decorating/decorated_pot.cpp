@@ -6,18 +6,19 @@
 
 #include "kiosk/collection/decoration/decorate.h"
 #include "kiosk/collection/decoration/figure.h"
+#include "kiosk/visit/decorating/calm_line.h"
 
 namespace onggi::decorating {
 
 namespace {
 
 using decoration::WayTool;
-using surface::floor_div;
 using surface::kRowHeight;
 using surface::kSectors;
 using surface::Station;
 
 constexpr double kPiecesASecond = 40.0;                // of work that goes on by itself
+constexpr double kHurry = 10.0;                        // times as fast, if a finger waits
 constexpr std::size_t kBroadPiece = 140;               // stations of a broad tool at once
 constexpr std::size_t kPiece = 24;                     // stations: 12 mm
 constexpr double kDab = 0.002;                         // m, of a finger that only tapped
@@ -29,21 +30,27 @@ constexpr double kFoot = 0.005;   // m that no dip covers: glaze would stick to 
 constexpr int kSlices = 24;       // of a dip that rises
 constexpr int kTilesAFrame = 40;  // some 7 ms
 constexpr int kMost = 1 << 20;
+constexpr std::int64_t kMeltAFrame = 500'000;  // cells, some 6 ms; a tall pot needs 65 frames
+constexpr double kKilnCoat = 4e-4;             // m of raw glaze: a coat of 1 in the picture
 
-/// How far from its stations a tool changes cells, m.
-struct Reach {
-  double operator()(const surface::CutDef& def) const {
-    return 0.5 * (def.width + (def.teeth - 1) * def.spacing) + 0.002;
-  }
-  double operator()(const surface::WipeDef& def) const { return 2.0 * def.width; }
-  double operator()(const surface::StampDef&) const { return 0.02; }
-  double operator()(const surface::FillDef&) const { return 0.0; }
-  double operator()(const surface::DipDef&) const { return 0.0; }
-  double operator()(const surface::SmokeDef&) const { return 0.0; }
-  double operator()(const auto& def) const { return 0.5 * def.width; }
+constexpr double kNarrow = 0.008;  // m to either side of a ring: of a wiped one only its bare part
+
+/// A figure's extent, in its units.
+struct Box {
+  double left = 0.0, right = 0.0, low = 0.0, high = 0.0;
 };
 
-double reach_of(const surface::Tool& tool) { return std::visit(Reach{}, tool) + 5e-4; }
+Box box_of(const decoration::Motif& motif) {
+  Box box;
+  for (const auto* ways : {&motif.fills, &motif.lines})
+    for (const auto& points : *ways)
+      for (const Vec2& p : points) {
+        box.left = std::min(box.left, p.x), box.right = std::max(box.right, p.x);
+        box.low = std::min(box.low, p.y), box.high = std::max(box.high, p.y);
+      }
+  return box;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<DecoratedPot>> DecoratedPot::begin(const Profile& thrown,
@@ -54,7 +61,10 @@ Result<std::unique_ptr<DecoratedPot>> DecoratedPot::begin(const Profile& thrown,
 }
 
 DecoratedPot::DecoratedPot(surface::Surface surface, const decoration::Way& way)
-    : way_(way), surface_(std::move(surface)), picture_(surface_, way.palette) {
+    : way_(way),
+      surface_(std::move(surface)),
+      picture_(surface_, way.palette),
+      zones_(surface_, outside()) {
   for (const WayTool& tool : way.tools) {
     choices_.emplace_back();
     choices_.back().repeats = tool.repeats;
@@ -69,7 +79,7 @@ DecoratedPot::DecoratedPot(surface::Surface surface, const decoration::Way& way)
 
 bool DecoratedPot::waits(int tool) const {
   const int needs = tool_at(tool).needs;
-  return needs >= 0 && std::ranges::find(steps_, needs, &Step::tool) == steps_.end();
+  return needs >= 0 && std::ranges::find(own_steps(), needs, &Step::tool) == own_steps().end();
 }
 
 void DecoratedPot::choose_tool(int tool) {
@@ -88,6 +98,22 @@ double DecoratedPot::end_of_outline() const { return 1e-6 * surface_.rows() * kR
 
 double DecoratedPot::outside() const { return 1e-6 * decoration::lip_of(surface_); }
 
+double DecoratedPot::along_of(double share, bool inside) const {
+  const double lip = outside(), end = end_of_outline();
+  return inside ? end - share * (end - lip) : share * lip;
+}
+
+bool DecoratedPot::touched(double from, double to) const {
+  const auto first = static_cast<int>(from * 1e6) / kRowHeight;
+  const auto last = static_cast<int>(to * 1e6) / kRowHeight + 1;
+  return std::ranges::any_of(own_steps(), [&](const Step& step) {
+    const WayTool::Hand hand = tool_at(step.tool).hand;
+    return hand != WayTool::all && hand != WayTool::up &&
+           std::ranges::any_of(
+               step.parts, [&](const Part& part) { return part.from < last && first < part.to; });
+  });
+}
+
 surface::Tool DecoratedPot::law() const {
   surface::Tool law = held().law;
   if (held().pigments.empty()) return law;
@@ -98,6 +124,8 @@ surface::Tool DecoratedPot::law() const {
 }
 
 void DecoratedPot::apply(surface::Stroke stroke, int repeats) {
+  cool();
+  tell_age(stroke);
   auto all = surface::repeated(stroke, repeats);
   if (!all) return;
   for (surface::Stroke& each : *all) {
@@ -105,45 +133,41 @@ void DecoratedPot::apply(surface::Stroke stroke, int repeats) {
     if (!surface::apply(surface_, each)) continue;  // beyond the end of the pot
     if (!step_begun_) steps_.push_back({working_, {}});
     step_begun_ = true;
-    touch(each);
+    steps_.back().parts.push_back(touched_part(surface_, each));
+    touch({steps_.back().parts.back()});
   }
 }
 
-void DecoratedPot::touch(const surface::Stroke& stroke) {
-  Part part{surface_.rows(), 0, 0, kSectors};
-  if (const auto* dip = std::get_if<surface::DipDef>(&stroke.tool)) {
-    part.from = static_cast<int>(dip->from * 1e6) / kRowHeight;
-    part.to = static_cast<int>(dip->to * 1e6) / kRowHeight + 1;
-  } else if (stroke.stations.empty()) {
-    part.from = 0, part.to = surface_.rows();
-  } else {
-    const double reach = reach_of(stroke.tool);
-    const auto rows = static_cast<int>(reach * 1e6) / kRowHeight + 1;
-    part.first = kSectors * surface::kMostTurns, part.last = -part.first;
-    for (const Station& at : stroke.stations) {
-      const int row = std::clamp(at.along / kRowHeight, 0, surface_.rows() - 1);
-      const auto sectors = static_cast<int>(
-          std::min(reach * 1e9 / std::max(surface_.row(row).width, 1), 1.0 * kSectors));
-      const auto sector = static_cast<int>(floor_div(at.round, surface::kParts));
-      part.from = std::min(part.from, row - rows), part.to = std::max(part.to, row + rows + 1);
-      part.first = std::min(part.first, sector - sectors - 1);
-      part.last = std::max(part.last, sector + sectors + 2);
-    }
-  }
-  picture_.touch(part.from, part.to, part.first, part.last);
-  steps_.back().parts.push_back(part);
+/// Slip that an earlier step laid is wet for a while, and a brush takes some of it along.
+void DecoratedPot::tell_age(surface::Stroke& stroke) {
+  const auto* dip = std::get_if<surface::DipDef>(&stroke.tool);
+  const bool brushed = std::holds_alternative<surface::BrushDef>(stroke.tool);
+  const bool lays = brushed || std::holds_alternative<surface::FillDef>(stroke.tool) ||
+                    (dip != nullptr && dip->coat != surface::DipDef::kGlaze);
+  if (!lays) return;
+  if (!step_begun_) under_ = laid_;
+  laid_ = clock_;
+  if (!brushed) return;
+  const double age = std::min(clock_ - under_, 3600.0);
+  for (Station& at : stroke.stations) at.age = static_cast<std::uint32_t>(1e3 * age);
+}
+
+void DecoratedPot::touch(const std::vector<Part>& parts) {
+  drawn_ = false;
+  for (const Part& part : parts) picture_.touch(part.from, part.to, part.first, part.last);
 }
 
 void DecoratedPot::press(const Place& at) {
   if (busy() || waits(tool_)) return;
   step_begun_ = false;
   working_ = tool_;
-  last_ = {at.along, at.turns};
+  last_.reset();
+  last_ = {held().hand == WayTool::ring ? ring_at(at.along) : at.along, at.turns};
   began_at_ = *last_;
   switch (held().hand) {
     case WayTool::line:
     case WayTool::ring:
-      tracer_.emplace(surface_, decoration::kEndlessWay);
+      tracer_.emplace(surface_, way_of_load());
       traced_ = 0;
       traced_to_.reset();
       return trace();
@@ -156,6 +180,17 @@ void DecoratedPot::press(const Place& at) {
   }
 }
 
+double DecoratedPot::ring_at(double along) const {
+  // A blade or a stone goes up and down.
+  if (std::holds_alternative<surface::ScrapeDef>(held().law) ||
+      std::holds_alternative<surface::BurnishDef>(held().law))
+    return along;
+  // All others stay where they began: a slanting band is nobody's wish.
+  if (last_) return began_at_.along;
+  const double half = std::min(reach_of(held().law), kNarrow);
+  return zones_.within(along, half, half);
+}
+
 void DecoratedPot::move(const Place& at) {
   if (!last_) return;
   const double before = last_->along;
@@ -164,9 +199,18 @@ void DecoratedPot::move(const Place& at) {
     return std::hypot(at.along - before, way * kTurnAngle * row_at(before).radius) > kMovedFigure;
   };
   switch (held().hand) {
-    case WayTool::line:
+    case WayTool::line: {
+      const CalmPart part =
+          calm_part(traced_to_.value_or(*last_), *last_, at.along, way, row_at(before).radius);
+      for (const surface::HandPlace& next : part.way) {
+        last_ = next;
+        trace();
+      }
+      last_ = part.tip;
+      return;
+    }
     case WayTool::ring:
-      last_ = {at.along, last_->turns + way};
+      last_ = {ring_at(at.along), last_->turns + way};
       return trace();
     case WayTool::figure:
     case WayTool::up:
@@ -187,13 +231,23 @@ void DecoratedPot::lift() {
       close_ring();
     } else {
       // A tap leaves a dab.
-      if (traced_ == 0) move({std::min(last_->along + kDab, end_of_outline()), last_->turns});
+      if (traced_ == 0)
+        move({std::min(last_->along + kDab + kSlack, end_of_outline()), last_->turns});
+      trace();
       tracer_->lift();
       trace();
     }
   }
   tracer_.reset();
   last_.reset();
+}
+
+void DecoratedPot::cancel() {
+  if (!last_) return;
+  waiting_.clear();
+  tracer_.reset();
+  last_.reset();
+  if (step_begun_) take_back();
 }
 
 void DecoratedPot::trace() {
@@ -230,12 +284,28 @@ void DecoratedPot::wait_for(const std::vector<Station>& stations, std::size_t fr
 }
 
 double DecoratedPot::size_at(const decoration::Motif& motif, const Place& at) const {
-  double left = 0.0, right = 0.0;
-  for (const auto* ways : {&motif.fills, &motif.lines})
-    for (const auto& points : *ways)
-      for (const Vec2& p : points) left = std::min(left, p.x), right = std::max(right, p.x);
+  const Box box = box_of(motif);
   const double room = kTurnAngle * row_at(at.along).radius / repeats();
-  return std::min(held().size, kOfItsRoom * room / std::max(right - left, 0.1));
+  return std::min(held().size, kOfItsRoom * room / std::max(box.right - box.left, 0.1));
+}
+
+/// How far the brush in the hand goes, m: each touch is a fresh dip.
+double DecoratedPot::way_of_load() const {
+  const auto* brush = std::get_if<surface::BrushDef>(&held().law);
+  return brush != nullptr ? brush->reach : decoration::kEndlessWay;
+}
+
+/// A stamp stands upright as it is looked at.
+void DecoratedPot::press_stamp(const decoration::Motif& motif, const Place& at, bool inside) {
+  auto stamp = std::get<surface::StampDef>(held().law);
+  stamp.picture = decoration::stamp_picture(motif, stamp.side);
+  stamp.size = size_at(motif, at);
+  Station station;
+  station.along = static_cast<std::int32_t>(1e6 * at.along);
+  station.round = static_cast<std::int32_t>(at.turns * surface::kTurn);
+  station.across_along = 0;
+  station.across_round = static_cast<std::int16_t>(inside ? -surface::kUnit : surface::kUnit);
+  apply({std::move(stamp), {station}, false}, repeats());
 }
 
 void DecoratedPot::set_figure(const Place& at) {
@@ -250,11 +320,14 @@ void DecoratedPot::set_figure(const Place& at) {
     fill->thickness = brush->thickness;
   }
   const bool inside = at.along > outside();
-  for (surface::Stroke& stroke :
-       decoration::figure_strokes(surface_, figure.motif,
-                                  decoration::figure_place(surface_, at.along, at.turns,
-                                                           size_at(figure.motif, at), inside),
-                                  law(), fill))
+  const double size = size_at(figure.motif, at);
+  const Box box = box_of(figure.motif);
+  const double along = zones_.within(at.along, -size * box.low, size * box.high);
+  if (std::holds_alternative<surface::StampDef>(tool.law))
+    return press_stamp(figure.motif, {along, at.turns}, inside);
+  for (surface::Stroke& stroke : decoration::figure_strokes(
+           surface_, figure.motif,
+           decoration::figure_place(surface_, along, at.turns, size, inside), law(), fill))
     apply(std::move(stroke), repeats());
 }
 
@@ -304,9 +377,10 @@ void DecoratedPot::put(const Place& at) {
   lift();
 }
 
-void DecoratedPot::update(double dt) {
+void DecoratedPot::update(double dt, bool hurry) {
+  clock_ += dt;
   if (busy()) {
-    due_ += dt * kPiecesASecond;
+    due_ += dt * kPiecesASecond * (hurry ? kHurry : 1.0);
     for (; due_ >= 1.0 && busy(); due_ -= 1.0) {
       gone_ += static_cast<double>(waiting_.front().stations.size()) * surface::Tracer::kStationWay;
       apply(std::move(waiting_.front()), 1);
@@ -317,13 +391,87 @@ void DecoratedPot::update(double dt) {
   }
   speed_ = dt > 0.0 ? gone_ / dt : 0.0;
   gone_ = 0.0;
-  picture_.draw(surface_, kTilesAFrame);
+  if (melt_ && !melt_->done() && melt_->go_on(kMeltAFrame)) show_fire();
+  drawn_ = !picture_.draw(surface_, kTilesAFrame);
+}
+
+bool DecoratedPot::settled() const {
+  return drawn_ && !pressed() && !busy() && !(fired_ && melt_ && !melt_->done());
+}
+
+void DecoratedPot::end_work() {
+  for (; busy(); waiting_.pop_front()) apply(std::move(waiting_.front()), 1);
 }
 
 void DecoratedPot::finish() {
   lift();
-  for (; busy(); waiting_.pop_front()) apply(std::move(waiting_.front()), 1);
-  picture_.draw(surface_, kMost);
+  end_work();
+  if (fired_) {
+    heat();
+    while (melt_ && !melt_->go_on(kMost)) {
+    }
+    show_fire();
+  }
+  drawn_ = !picture_.draw(surface_, kMost);
+}
+
+bool DecoratedPot::used(bool (*one)(const surface::Tool&)) const {
+  return std::ranges::any_of(steps_, [&](const Step& step) { return one(tool_at(step.tool).law); });
+}
+
+void DecoratedPot::heat() {
+  if (melt_) return;
+  surface::MeltDef def;
+  // Polish is seen on bare clay only: such a pot is left as it is.
+  const bool polished = used(
+      [](const surface::Tool& tool) { return std::holds_alternative<surface::BurnishDef>(tool); });
+  if (!polished) def.even = kKilnCoat;
+  if (auto melt = surface::Melt::begin(surface_, def)) melt_.emplace(std::move(*melt));
+}
+
+void DecoratedPot::fire(bool fired, bool glassy) {
+  fired_ = fired;
+  glassy_ = glassy;
+  show_fire();
+}
+
+void DecoratedPot::cool() {
+  if (!melt_) return;
+  picture_.fire(fired_);
+  melt_.reset();
+}
+
+void DecoratedPot::show_fire() {
+  const bool glazes = glassy_ || used([](const surface::Tool& tool) {
+                        const auto* dip = std::get_if<surface::DipDef>(&tool);
+                        return dip != nullptr && dip->coat == surface::DipDef::kGlaze;
+                      });
+  const bool molten = fired_ && glazes && melt_ && melt_->done() && melt_->glazed();
+  picture_.fire(fired_, molten ? &*melt_ : nullptr);
+  drawn_ = false;
+}
+
+void DecoratedPot::begin_example() {
+  end_example();
+  lift();
+  end_work();
+  saved_ = Saved{surface_, steps_, laid_, under_};
+}
+
+void DecoratedPot::end_example() {
+  if (!saved_) return;
+  cool();
+  waiting_.clear();
+  tracer_.reset();
+  last_.reset();
+  step_begun_ = false;
+  // The undo may have forgotten steps of the visitor's for those of the example.
+  const auto shown = steps_.begin() + static_cast<std::ptrdiff_t>(saved_->steps.size());
+  for (auto step = shown; step != steps_.end(); ++step) touch(step->parts);
+  surface_ = std::move(saved_->surface);
+  steps_ = std::move(saved_->steps);
+  laid_ = saved_->laid, under_ = saved_->under;
+  saved_.reset();
 }
 
 void DecoratedPot::undo() {
@@ -334,16 +482,23 @@ void DecoratedPot::undo() {
 }
 
 void DecoratedPot::take_back() {
+  cool();
   surface_.undo();
-  for (const Part& part : steps_.back().parts)
-    picture_.touch(part.from, part.to, part.first, part.last);
+  touch(steps_.back().parts);
   steps_.pop_back();
   step_begun_ = false;
 }
 
+WayTool::State DecoratedPot::state() const {
+  WayTool::State state = WayTool::soft;
+  for (const Step& step : own_steps())
+    state = std::max(state, tool_at(step.tool).state.value_or(state));
+  return state;
+}
+
 std::vector<DecoratedPot::Did> DecoratedPot::did() const {
   std::vector<Did> out;
-  for (const Step& step : steps_) {
+  for (const Step& step : own_steps()) {
     const auto found = std::ranges::find(out, step.tool, &Did::tool);
     if (found == out.end())
       out.push_back({step.tool, 1});

@@ -8,9 +8,12 @@
 
 #include "engine/base/result.h"
 #include "engine/surface/laws.h"
+#include "engine/surface/melt.h"
 #include "kiosk/collection/decoration/coat_picture.h"
 #include "kiosk/collection/decoration/way.h"
+#include "kiosk/visit/decorating/touched_part.h"
 #include "kiosk/visit/decorating/touched_place.h"
+#include "kiosk/visit/decorating/zones.h"
 
 namespace onggi::decorating {
 
@@ -27,6 +30,16 @@ class DecoratedPot {
   const decoration::CoatPicture& picture() const { return picture_; }
   /// Length of the outline from the foot to the lip, m.
   double outside() const;
+  const Zones& zones() const { return zones_; }
+  /// Where a share of the outside's outline lies, from the foot, or of the inside's, from the
+  /// middle of the floor: m along the whole outline.
+  double along_of(double share, bool inside) const;
+  /// True if something was done between two places along the outline, but for what covers all of
+  /// the pot or all from a height on.
+  bool touched(double from, double to) const;
+  /// How far the clay has come by what was done to it: soft clay becomes leather-hard, dries, is
+  /// fired once, is glazed. An example brings it no further.
+  decoration::WayTool::State state() const;
 
   // What the visitor has chosen.
   int tool() const { return tool_; }
@@ -48,6 +61,8 @@ class DecoratedPot {
   void press(const Place& at);
   void move(const Place& at);
   void lift();
+  /// The finger was not meant: takes back what it did since press().
+  void cancel();
   bool pressed() const { return last_.has_value(); }
   /// The pot turns under the finger: a ring is being drawn.
   bool turns() const;
@@ -56,20 +71,36 @@ class DecoratedPot {
   void put(const Place& at);
   /// True while work that was begun goes on by itself.
   bool busy() const { return !waiting_.empty(); }
-  /// Once a frame: goes on with such work, and draws what has changed into the picture.
-  void update(double dt);
+  /// Once a frame: goes on with such work, ten times faster in a `hurry`, and draws what has
+  /// changed into the picture.
+  void update(double dt, bool hurry = false);
+  /// Does the rest of such work now.
+  void end_work();
   /// Of the tool over the clay since the last update, m/s; 0: it touches nothing.
   double tool_speed() const { return speed_; }
-  /// Ends such work, and draws everything.
+  /// Takes the finger off, ends such work, and draws everything.
   void finish();
 
-  bool bare() const { return steps_.empty(); }
-  bool can_undo() const { return !busy() && surface_.can_undo(); }
+  /// What the hand does from now on is an example: bare(), did(), waits() and can_undo() know
+  /// nothing of it, and end_example() leaves the pot as it was, to the bit and to the last step of
+  /// the undo. Copies the surface. A finger that is on the pot is lifted, and its work done.
+  void begin_example();
+  void end_example();
+  bool shows_example() const { return saved_.has_value(); }
+
+  bool bare() const { return own_steps().empty(); }
+  bool can_undo() const { return !shows_example() && !busy() && surface_.can_undo(); }
   /// Takes the last touch back; a finger that is still on the pot draws no more.
   void undo();
 
-  /// Before or after the fire: the slips change their colours, a part a frame.
-  void fire(bool fired) { picture_.fire(fired); }
+  /// In the kiln: the glaze begins to melt, a part each update().
+  void heat();
+  /// Before or after the fire: the slips change their colours, a part a frame, and the glaze is
+  /// what it has melted to. `glassy`: the kiln gives a glaze to a pot on which none was laid.
+  void fire(bool fired, bool glassy = true);
+
+  /// True once the last update() left nothing to do: no work, no melt, no part of the picture.
+  bool settled() const;
 
   /// What was done, a tool each in the order of its first use.
   struct Did {
@@ -81,13 +112,15 @@ class DecoratedPot {
   struct Choice {
     int pigment = 0, figure = 0, repeats = 8;
   };
-  /// The cells that a step changed.
-  struct Part {
-    int from = 0, to = 0, first = 0, last = 0;
-  };
   struct Step {
     int tool = 0;
-    std::vector<Part> parts;
+    std::vector<Part> parts;  ///< The cells that it changed.
+  };
+  /// A pot before an example.
+  struct Saved {
+    surface::Surface surface;
+    std::vector<Step> steps;
+    double laid = 0.0, under = 0.0;
   };
   DecoratedPot(surface::Surface surface, const decoration::Way& way);
   const decoration::WayTool& tool_at(int tool) const {
@@ -98,8 +131,10 @@ class DecoratedPot {
   /// The held tool's law, with the chosen pigment.
   surface::Tool law() const;
   void apply(surface::Stroke stroke, int repeats);
-  void touch(const surface::Stroke& stroke);
+  void touch(const std::vector<Part>& parts);
+  void tell_age(surface::Stroke& stroke);
   void take_back();
+  const std::vector<Step>& own_steps() const { return saved_ ? saved_->steps : steps_; }
   const surface::Row& row_at(double along) const;
   void trace();
   /// Does the rest of a way a piece at a time.
@@ -107,14 +142,22 @@ class DecoratedPot {
   void set_figure(const Place& at);
   /// Height of a figure at a place, m: smaller where its repeats would overlap.
   double size_at(const decoration::Motif& motif, const Place& at) const;
+  double way_of_load() const;
+  void press_stamp(const decoration::Motif& motif, const Place& at, bool inside);
+  /// Where a ring is drawn for a finger at `along`: in one zone, and level while the finger wavers.
+  double ring_at(double along) const;
   void close_ring();
   void cover_all();
+  bool used(bool (*one)(const surface::Tool&)) const;
+  void cool();
+  void show_fire();
   void from_up(const Place& at);
   double end_of_outline() const;
 
   const decoration::Way& way_;
   surface::Surface surface_;
   decoration::CoatPicture picture_;
+  Zones zones_;
   std::vector<Choice> choices_;
   int tool_ = 0;
   int working_ = 0;  ///< The tool of the last press.
@@ -127,8 +170,14 @@ class DecoratedPot {
   std::optional<surface::HandPlace> last_;
   surface::HandPlace began_at_;
   std::optional<surface::HandPlace> traced_to_;
-  double gone_ = 0.0, speed_ = 0.0;  ///< Of the tool since the last update, m; before it, m/s.
-  bool open_ = false;                ///< Wider than high: visitors look into it.
+  double gone_ = 0.0, speed_ = 0.0;    ///< Of the tool since the last update, m; before it, m/s.
+  double clock_ = 0.0;                 ///< Of update(), s.
+  double laid_ = -1e4, under_ = -1e4;  ///< When slip was laid last, and before this step.
+  bool open_ = false;                  ///< Wider than high: visitors look into it.
+  std::optional<surface::Melt> melt_;  ///< Of the surface as it is.
+  bool fired_ = false, glassy_ = true;
+  bool drawn_ = false;          ///< All of the picture, by the last update.
+  std::optional<Saved> saved_;  ///< While an example is shown.
 };
 
 }  // namespace onggi::decorating

@@ -21,8 +21,12 @@ using view::Face;
 
 namespace {
 
+constexpr const char* kMore = "decorate.more";
 constexpr std::string_view kTool = "decorate.tool.", kColor = "decorate.color.",
                            kFigure = "decorate.figure.", kTimes = "decorate.times.";
+
+/// The tick of a choice stands over its button by half its size: it must not hide a caption.
+constexpr float kClearOfTick = 0.35f;
 
 std::string numbered(std::string_view prefix, int n) {
   return std::string(prefix) + std::to_string(n);
@@ -48,11 +52,18 @@ Button choice(std::string id, std::string words, bool on) {
 
 std::vector<Button> tool_buttons(const Desk& desk, const DecoratedPot& pot) {
   std::vector<Button> row;
+  bool others = false;
   for (int n = 0; n < static_cast<int>(pot.way().tools.size()); ++n) {
+    // Those behind *More*, or those before it.
+    if (pot.way().tools[static_cast<std::size_t>(n)].more != pot.held().more) {
+      others = true;
+      continue;
+    }
     row.push_back(choice(numbered(kTool, n),
                          in_words(desk, pot.way().tools[static_cast<std::size_t>(n)].name),
                          n == pot.tool()));
   }
+  if (others) row.push_back(choice(kMore, desk.say("decorate.more"), pot.held().more));
   return row;
 }
 
@@ -117,8 +128,11 @@ void choices(Column& column, const Desk& desk, const DecoratedPot& pot, const Wa
   const auto row = [&](const char* caption, const std::vector<Button>& buttons) {
     if (buttons.size() < 2) return;
     column.text(desk.say(caption), t.body, Face::sans, view::kFaintInk);
+    // With buttons for everything there is no room to spare.
+    const bool crowded = StrokeBoard::wanted(desk);
+    if (!crowded) column.space(t.body * kClearOfTick);
     column.buttons(buttons);
-    column.space(t.gap * 0.5f);
+    if (!crowded) column.space(t.gap * 0.25f);
   };
   row("decorate.color", color_buttons(desk, pot, tool, color.value_or(-1)));
   row("decorate.figure", figure_buttons(desk, pot, tool, figure));
@@ -126,7 +140,8 @@ void choices(Column& column, const Desk& desk, const DecoratedPot& pot, const Wa
     row("decorate.repeats", times_buttons(desk, repeats));
 }
 
-std::string sentence(const Desk& desk, const DecoratedPot& pot, bool soon) {
+std::string sentence(const Desk& desk, const DecoratedPot& pot, bool shows, bool soon) {
+  if (shows) return desk.say("decorate.watch");
   if (pot.waits(pot.tool()))
     return desk.say(
         "decorate.needs",
@@ -147,12 +162,21 @@ float longest(const Page& page, const Desk& desk, const DecoratedPot& pot, float
                               .height);
   };
   look(desk.say("decorate.soon"));
+  look(desk.say("decorate.watch"));
   look(in_words(desk, pot.way().about));
   for (const WayTool& tool : pot.way().tools) look(in_words(desk, tool.how));
   return most;
 }
 
-void foot(Column& column, const Desk& desk, const DecoratedPot& pot) {
+Button show_button(const Desk& desk, const DecoratedPot& pot, bool shows) {
+  const bool can_show = shows || !pot.waits(pot.tool());
+  return {can_show ? "decorate.show" : "", desk.say("throw.show"),
+          !can_show ? Look::resting
+          : shows   ? Look::chosen
+                    : Look::outline};
+}
+
+void foot(Column& column, const Desk& desk, const DecoratedPot& pot, bool shows) {
   const TypeScale& t = column.page().type();
   column.foot_buttons(standing_buttons(desk, true));
   column.foot_space(t.gap);
@@ -165,32 +189,41 @@ void foot(Column& column, const Desk& desk, const DecoratedPot& pot) {
                           bare ? Look::outline : Look::solid, desk.say("decorate.skip")}};
   on.push_back({can_undo ? "decorate.undo" : "", desk.say("decorate.undo"),
                 can_undo ? Look::outline : Look::resting});
+  // All in one flow: with buttons for everything there is no row to spare.
+  if (StrokeBoard::wanted(desk))
+    for (const char* id : {"decorate.higher", "decorate.lower", "decorate.turn_left",
+                           "decorate.turn_right", "decorate.here"})
+      on.push_back({id, desk.say(id), Look::outline});
+  if (!StrokeBoard::wanted(desk)) on.push_back(show_button(desk, pot, shows));
   column.foot_buttons(on);
   column.foot_space(t.gap);
-  if (!StrokeBoard::wanted(desk)) return;
-  std::vector<Button> by_buttons;
-  for (const char* id : {"decorate.higher", "decorate.lower", "decorate.turn_left",
-                         "decorate.turn_right", "decorate.here"})
-    by_buttons.push_back({id, desk.say(id), Look::outline});
-  column.foot_buttons(by_buttons);
-  column.foot_space(t.gap);
+}
+
+/// Takes the first of the tools on the other side of *More*.
+void turn_over(DecoratedPot& pot) {
+  const auto& tools = pot.way().tools;
+  const auto other = std::ranges::find(tools, !pot.held().more, &WayTool::more);
+  if (other != tools.end()) pot.choose_tool(static_cast<int>(other - tools.begin()));
 }
 
 }  // namespace
 
-void lay_out_decorating(Page& page, const Desk& desk, const DecoratedPot& pot, bool soon) {
+void lay_out_decorating(Page& page, const Desk& desk, const DecoratedPot& pot, bool shows,
+                        bool soon) {
   const TypeScale& t = page.type();
   Column column(page, page.where().words);
-  foot(column, desk, pot);
+  foot(column, desk, pot, shows);
   column.text(desk.say("decorate.title"), t.title, Face::serif);
   column.space(t.gap * 0.5f);
   const view::Rect room = column.rest();
-  column.text(sentence(desk, pot, soon), t.body);
+  column.text(sentence(desk, pot, shows, soon), t.body);
   const float said = column.rest().y - room.y;
   column.space(std::max(0.0f, longest(page, desk, pot, room.w) - said) + t.gap);
   column.into_reach();
-  column.buttons(tool_buttons(desk, pot));
-  column.space(t.gap);
+  std::vector<Button> tools = tool_buttons(desk, pot);
+  if (StrokeBoard::wanted(desk)) tools.push_back(show_button(desk, pot, shows));
+  column.buttons(tools);
+  column.space(StrokeBoard::wanted(desk) ? 0.5f * t.gap : t.gap);
   // The page is as small as the tool with the most choices needs it, so that all have one size.
   float least = column.rest().h;
   for (const WayTool& tool : pot.way().tools) {
@@ -207,6 +240,8 @@ void lay_out_decorating(Page& page, const Desk& desk, const DecoratedPot& pot, b
 bool press_decorating(const std::string& control, DecoratedPot& pot) {
   if (control == "decorate.undo")
     pot.undo();
+  else if (control == kMore)
+    turn_over(pot);
   else if (const auto tool = number_after(control, kTool))
     pot.choose_tool(*tool);
   else if (const auto color = number_after(control, kColor))

@@ -6,7 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "kiosk/visit/decorating/example.h"
+#include "kiosk/visit/decorating/touch_queue.h"
 #include "kiosk/visit/screens/decorate_controls.h"
+#include "kiosk/visit/screens/decorate_drawing.h"
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/pot_picture.h"
 #include "kiosk/visit/screens/stroke_board.h"
@@ -15,7 +18,9 @@
 namespace onggi::screens {
 
 using decorating::DecoratedPot;
+using decorating::Example;
 using decorating::Place;
+using decorating::TouchQueue;
 using decoration::WayTool;
 
 namespace {
@@ -24,16 +29,22 @@ constexpr double kRoundTurn = 2.0 * 3.14159265358979;
 constexpr double kRingTime = 2.4;    // s for the turn under a resting finger
 constexpr double kGoodWhile = 90.0;  // s, the soft end
 constexpr double kRead = 15.0;       // s for a tool's words, since it was chosen or used
+constexpr const char* kStateNames[] = {"soft", "leather", "dry", "fired", "glazed"};
 constexpr double kMarkStep = 0.004;  // m for an arrow key,
 constexpr double kButtonStep = 0.1;  // and the share of the outline for a button
-constexpr int kMarkPoints = 48;
+constexpr double kJoined = 0.4;      // s: a finger that a second one joins so soon drew nothing
+constexpr double kWord = 3.0;        // s that a state's word is shown,
+constexpr double kWordFades = 0.3;   // and comes and goes
 
 /// The pot is decorated with the tools of its vessel's makers. A finger on the pot leads the tool,
-/// one beside it turns the pot.
+/// one beside it turns the pot, and two turn and tilt it.
 class Decorate final : public Screen {
  public:
   explicit Decorate(Desk& d) : Screen(d), pot_(desk.pot_to_decorate()), since_(desk.now) {
-    if (pot_ != nullptr) mark_ = 0.6 * outside();
+    if (pot_ == nullptr) return;
+    mark_ = 0.6 * outside();
+    touches_.emplace(*pot_);
+    state_ = pot_->state();
   }
   ScreenId id() const override { return ScreenId::decorate; }
   std::string first_focus() const override { return "decorate.tool.0"; }
@@ -43,11 +54,14 @@ class Decorate final : public Screen {
     picture_.show_round(desk, dt, 0.0);
     if (pot_ == nullptr) return desk.go(next_screen());
     // The pot turns under a resting finger, and on while the ring that it began is closed.
-    const bool turns = pot_->turns() || (pot_->busy() && pot_->held().hand == WayTool::ring);
+    const bool closes = pot_->busy() && pot_->held().hand == WayTool::ring && !touches_->waits();
+    const bool turns = pot_->turns() || closes;
     if (turns && !desk.still())
       turned_ += (desk.screen().left_handed ? -dt : dt) * kRoundTurn / kRingTime;
     if (finger_ && turns) follow();
-    pot_->update(dt);
+    example_.step(dt, seen().front(), *pot_);
+    touches_->update(dt, example_.hurries());
+    look_at_state();
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -58,6 +72,7 @@ class Decorate final : public Screen {
     const double turned = turned_ + table_.angle();
     pot.clay_angle += turned;
     pot.wheel_angle += turned;
+    pot.camera.elevation += table_.tilt();
     camera_ = pot.camera;
     angle_ = pot.clay_angle;
     return pot;
@@ -70,50 +85,84 @@ class Decorate final : public Screen {
     const bool keyed = page.focused(kMark);
     table_.keyed(keyed);
     // The tool's own words come first.
-    lay_out_decorating(page, desk, *pot_,
+    lay_out_decorating(page, desk, *pot_, example_.shows(),
                        !pot_->bare() && desk.now > std::max(since_ + kGoodWhile, used_ + kRead));
     camera_ = picture_.camera(page);
+    camera_->elevation += table_.tilt();
+    if (const ShelfCard* card = desk.shelf_card(desk.card);
+        card != nullptr && card->vessel != nullptr && !example_.shows())
+      draw_starts(page, seen(), card->vessel->starts);
+    if (example_.finger()) draw_finger(page, seen(), *example_.finger());
     const bool marks = marks_ || StrokeBoard::wanted(desk);
-    if (keyed || marks) draw_mark(page);
+    if (keyed || marks) draw_mark(page, seen(), mark_);
     if (marks)
       page.tell(
           page.where().pot.y,
           desk.say("decorate.at", {{"mm", std::to_string(std::lround(1000 * mark_row().height))}}));
+    tell_state(page);
   }
 
   void press(const std::string& control) override {
     if (pot_ == nullptr) return;
+    const bool showed = example_.shows();
+    example_.stop(*pot_);
+    if (control == "decorate.show") {
+      touches_->settle();
+      if (!showed) example_.begin(*pot_);
+      used_ = desk.now;
+      return;
+    }
     if (control == "decorate.on") return go_on();
-    if (control == kMark || control == "decorate.here") return pot_->put({mark_, front()});
+    if (control == kMark || control == "decorate.here")
+      return touches_->put({mark_, seen().front()});
     if (control == "decorate.higher" || control == "decorate.lower") {
       marks_ = true;
       return move_mark((control == "decorate.higher" ? kButtonStep : -kButtonStep) * outside());
     }
     if (control == "decorate.turn_left" || control == "decorate.turn_right")
       return table_.press(control == "decorate.turn_right" ? -1.0 : 1.0, desk.now);
+    touches_->settle();
     if (press_decorating(control, *pot_)) used_ = desk.now;
   }
   void back() override { desk.go(ScreenId::result); }
 
+  bool more_fingers() const override { return true; }
+  /// A finger that rests on the pot draws a ring, and a held arrow moves the mark: neither asks to
+  /// be read to.
+  bool works(const view::InputEvent& e) const override {
+    using Kind = view::InputEvent::Kind;
+    if (e.kind == Kind::key_down || e.kind == Kind::key_up)
+      return e.key == view::Key::up || e.key == view::Key::down || e.key == view::Key::left ||
+             e.key == view::Key::right;
+    return pot_ != nullptr && camera_ &&
+           decorating::place_under(*camera_, pot_->surface(), angle_, e.x, e.y).has_value();
+  }
   void pointer(const view::InputEvent& e, const Page& page) override {
     using Kind = view::InputEvent::Kind;
     if (pot_ == nullptr) return;
+    const float half_turn = 0.5f * page.where().pot.w;
+    if (table_.pair(e, half_turn)) return end_stroke();
+    if (e.finger != 0) return;
     if (e.kind == Kind::pointer_down && !finger_ && !turning_) {
       finger_ = {e.x, e.y};
       const auto at = touched();
-      used_ = desk.now;
-      if (at && !pot_->busy()) return pot_->press(*at);
+      used_ = pressed_at_ = desk.now;
+      // A touch takes the tool over from an example.
+      if (at) {
+        example_.stop(*pot_);
+        return touches_->press(*at);
+      }
       finger_.reset();
-      turning_ = !at;
+      turning_ = true;
     }
     if (turning_) {
-      table_.pointer(e, 0.5f * page.where().pot.w);
+      table_.pointer(e, half_turn);
       turning_ = e.kind != Kind::pointer_up;
       return;
     }
     if (!finger_) return;
     finger_ = {e.x, e.y};
-    if (e.kind == Kind::pointer_up) return let_go();
+    if (e.kind == Kind::pointer_up) return let_go_of_pot();
     follow();
   }
 
@@ -126,17 +175,21 @@ class Decorate final : public Screen {
   }
   bool key(view::Key key, bool /*repeat*/) override {
     if (key != view::Key::restore || pot_ == nullptr) return false;
-    pot_->undo();
+    press("decorate.undo");
     return true;
   }
   void let_go() override {
-    finger_.reset();
-    if (pot_ != nullptr) pot_->lift();
+    table_.let_go();
+    turning_ = false;
+    if (pot_ == nullptr) return;
+    example_.stop(*pot_);
+    let_go_of_pot();
   }
 
  private:
   ScreenId next_screen() const { return desk.wheel().kiln ? ScreenId::kiln : ScreenId::keepsake; }
   void go_on() {
+    touches_->settle();
     pot_->finish();
     if (!desk.wheel().kiln) desk.keep_pot();
     desk.go(next_screen());
@@ -148,42 +201,54 @@ class Decorate final : public Screen {
                                    finger_->second);
   }
   void follow() {
-    if (const auto at = touched()) pot_->move(*at);
+    if (const auto at = touched()) touches_->move(*at);
+  }
+  void let_go_of_pot() {
+    if (finger_) touches_->lift();
+    finger_.reset();
+  }
+  /// A second finger has come: the first has drawn enough, or has only just touched.
+  void end_stroke() {
+    turning_ = false;
+    if (finger_ && desk.now - pressed_at_ < kJoined) {
+      touches_->cancel();
+      finger_.reset();
+    }
+    let_go_of_pot();
+  }
+
+  /// The clay has come further: a word says so.
+  void look_at_state() {
+    const WayTool::State now = pot_->state();
+    if (now > state_) told_at_ = desk.now;
+    state_ = now;
+  }
+  void tell_state(Page& page) const {
+    const double since = desk.now - told_at_;
+    if (since > kWord || state_ == WayTool::soft) return;
+    const std::string word = desk.say(std::string("decorate.state_") + kStateNames[state_]);
+    const double shown = std::min(since, kWord - since) / kWordFades;
+    draw_word(page, word, desk.still() ? 1.0f : static_cast<float>(std::clamp(shown, 0.0, 1.0)));
+    page.tell(page.where().pot.y, word);
   }
 
   /// The outside's length, m.
   double outside() const { return pot_->outside(); }
   void move_mark(double by) { mark_ = std::clamp(mark_ + by, 0.004, outside() - 0.002); }
-  /// Where the pot faces the eye, round it.
-  double front() const {
-    const double turns =
-        (0.25 * kRoundTurn - (camera_ ? camera_->azimuth : 0.0) - angle_) / kRoundTurn;
-    return turns - std::floor(turns);
-  }
+  SeenPot seen() const { return {*pot_, camera_.value_or(view::Camera{}), angle_}; }
 
   const surface::Row& mark_row() const {
     return pot_->surface().row(std::clamp(static_cast<int>(mark_ * 1e6) / surface::kRowHeight, 0,
                                           pot_->surface().rows() - 1));
   }
-  /// The mark's height as a line round the part of the pot that faces the eye.
-  void draw_mark(Page& page) const {
-    const surface::Row& row = mark_row();
-    view::Line line;
-    for (int n = 0; n <= kMarkPoints; ++n) {
-      const double angle = kRoundTurn * 0.5 * n / kMarkPoints - camera_->azimuth;
-      const auto at = camera_->project(
-          {row.radius * std::cos(angle), row.height, row.radius * std::sin(angle)});
-      if (at) line.points.push_back(*at);
-    }
-    line.colors = {view::kCobalt};
-    line.width = page.type().body / 9.0f;
-    page.draw(std::move(line));
-  }
-
-  DecoratedPot* pot_;  ///< Null: the vessel has no way, or the pot no outline.
+  DecoratedPot* pot_;                  ///< Null: the vessel has no way, or the pot no outline.
+  std::optional<TouchQueue> touches_;  ///< As long as pot_.
+  Example example_;
   PotPicture picture_;
   Turntable table_;
-  double since_, used_ = 0;
+  double since_, used_ = 0, pressed_at_ = 0;
+  WayTool::State state_ = WayTool::soft;
+  double told_at_ = -10;
   double turned_ = 0, angle_ = 0, mark_ = 0;
   bool marks_ = false, turning_ = false;
   std::optional<std::pair<float, float>> finger_;  ///< That leads the tool, pixels.

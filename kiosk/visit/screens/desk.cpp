@@ -158,7 +158,8 @@ void Desk::keep_pot() {
   if (kept != Kept::not_asked && kept_glaze_ == glaze && kept_decoration_ == decoration) return;
   MakeKeepsake wish{card, score, made, glaze};
   if (decorated && !decorated->bare()) {
-    decorated->finish();
+    decorated->lift();
+    decorated->end_work();
     wish.decorated = decorated;
     wish.decorated_how = did_in_words(*this, *decorated);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kiosk/visit/screens/decorate_controls.h"
+#include "kiosk/visit/screens/hidden_drawing.h"
 #include "kiosk/visit/screens/label.h"
 #include "kiosk/visit/screens/light_color.h"
 #include "kiosk/visit/screens/overlays.h"
@@ -22,6 +23,7 @@ constexpr double kFireTime = 6.0;        // s
 constexpr double kReglazeTime = 2.4;     // s
 constexpr double kTextFade = 0.5;        // s
 // Times in the firing: the heat is highest here, and the glaze appears as it falls.
+constexpr float kGlassy = 0.3f;  // gloss: a glaze with less is none that melts
 constexpr double kHottest = 0.4, kGlazeFrom = 0.3, kGlazeTo = 0.95;
 
 double smooth(double x) {
@@ -35,6 +37,7 @@ double along(double from, double to, double share) { return from + (to - from) *
 class KilnScreen final : public Screen {
  public:
   explicit KilnScreen(Desk& d) : Screen(d), kiln_(*desk.wheel().kiln), shown_(desk.glaze) {
+    if (desk.decorated && !desk.decorated->bare()) hides_ = hiding(*desk.decorated, kiln_);
     if (desk.glaze >= 0) finish();
   }
   ScreenId id() const override { return ScreenId::kiln; }
@@ -115,6 +118,7 @@ class KilnScreen final : public Screen {
         column.space(t.gap);
         column.text(desk.say("decorate.did", {{"what", did_in_words(desk, *desk.decorated)}}),
                     t.body, Face::sans, view::kFaintInk);
+        column.text(hidden_in_words(), t.body, Face::sans, view::kFaintInk);
       }
       return;
     }
@@ -132,6 +136,8 @@ class KilnScreen final : public Screen {
 
   void press(const std::string& control) override {
     if (control == "kiln.keep") {
+      finish();
+      burn_slips(0);
       desk.keep_pot();
       desk.go(ScreenId::keepsake);
       return;
@@ -152,10 +158,13 @@ class KilnScreen final : public Screen {
   }
 
  private:
-  /// The slips of a decorated pot get their fired colours while nobody sees more than its glow.
+  /// The slips of a decorated pot get their fired colours while nobody sees more than its glow, and
+  /// its glaze melts.
   void burn_slips(double dt) {
-    if (!desk.decorated) return;
-    desk.decorated->fire(desk.glaze >= 0 && fired_ >= kHottest);
+    if (!desk.decorated || desk.decorated->bare()) return;
+    desk.decorated->heat();
+    desk.decorated->fire(desk.glaze >= 0 && fired_ >= kHottest,
+                         desk.glaze >= 0 && chosen().look.gloss >= kGlassy);
     desk.decorated->update(dt);
   }
   static std::string glaze_control(int i) { return "kiln.glaze." + std::to_string(i); }
@@ -194,6 +203,16 @@ class KilnScreen final : public Screen {
         {{"percent", percent}, {"before", whole(before)}, {"after", whole(before * left)}});
   }
 
+  /// Which glazes hide the drawing; "" if none does.
+  std::string hidden_in_words() const {
+    std::string names;
+    for (const int i : kiln_.order)
+      if (hides_[static_cast<std::size_t>(i)])
+        names += (names.empty() ? "" : desk.say("decorate.and")) +
+                 glaze_at(i).name_in(desk.words().code());
+    return names.empty() ? names : desk.say("kiln.hides", {{"names", names}});
+  }
+
   float faded_in(double since) const {
     if (desk.still()) return 1;
     return static_cast<float>(smooth((desk.now - since) / kTextFade));
@@ -216,6 +235,7 @@ class KilnScreen final : public Screen {
 
   const Kiln& kiln_;
   PotPicture picture_;
+  std::vector<bool> hides_;  // by glaze: the drawing; empty for a bare pot
   double dried_ = 0, fired_ = 0, reglazed_ = 1;
   int shown_ = -1, before_ = -1;  // glazes on the pot
   double chosen_at_ = -10, told_at_ = -10;

@@ -42,10 +42,14 @@ class Result final : public Screen {
     pot.hands = {};
     pot.clay_angle += table_.angle();
     pot.wheel_angle += table_.angle();
+    pot.camera.elevation += table_.tilt();
     return pot;
   }
+  bool more_fingers() const override { return true; }
+  void let_go() override { table_.let_go(); }
   void pointer(const view::InputEvent& e, const Page& page) override {
-    table_.pointer(e, both_ ? both_->half_turn() : 0.5f * page.where().pot.w);
+    const float half_turn = both_ ? both_->half_turn() : 0.5f * page.where().pot.w;
+    if (!table_.pair(e, half_turn)) table_.pointer(e, half_turn);
   }
   std::string step(const std::string& from, Direction to) override {
     if (from != kTurn || to == Direction::up || to == Direction::down) return {};

@@ -43,6 +43,8 @@ class Screen {
   virtual void update(double /*dt*/) {}
   /// A pointer event, unless a control is pressed.
   virtual void pointer(const view::InputEvent&, const Page&) {}
+  /// True if pointer() takes a touch screen's further fingers, too.
+  virtual bool more_fingers() const { return false; }
   /// Sees every pointer event before the controls do. True if it belongs to a dragging finger; the
   /// control under its start is then not pressed.
   virtual bool drag(const view::InputEvent&, const Page&) { return false; }

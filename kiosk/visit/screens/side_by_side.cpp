@@ -158,8 +158,12 @@ view::PotView SideBySide::view(view::PotView pot, const Desk& desk, const Turnta
   pot.cut_away = 0;
   const double turned = angle_ + table.angle();
   pot.clay_angle += turned;
+  pot.camera.elevation += table.tilt();
   const ShelfCard* card = desk.shelf_card(desk.card);
-  if (card != nullptr) pot.beside = view::VesselView{vessel_at_, turned};
+  if (card != nullptr) {
+    pot.beside = view::VesselView{vessel_at_, turned};
+    pot.beside->camera.elevation += table.tilt();
+  }
   const auto& kiln = desk.wheel().kiln;
   if (kiln && desk.glaze >= 0) {
     pot.finish = view::Finish::fired;

@@ -100,6 +100,7 @@ class Throwing final : public Screen {
     return pot;
   }
   bool dark() const override { return desk.eyes_closed(); }
+  bool more_fingers() const override { return true; }
 
   /// A mission explains itself. Do not mention the line if it is hidden, or both hands if each
   /// visitor has one.

@@ -101,8 +101,8 @@ struct MakeKeepsake {
   score::Score score;
   Profile made;    ///< As thrown.
   int glaze = -1;  ///< Index in Kiln::glazes; -1: not fired.
-  /// Null: not decorated. Its words are of the visitor's language.
-  std::shared_ptr<const decorating::DecoratedPot> decorated{};
+  /// Null: not decorated. It may not be settled() yet. Its words are of the visitor's language.
+  std::shared_ptr<decorating::DecoratedPot> decorated{};
   std::string decorated_how{};
 };
 /// The visit is over: discard postcard and replay. `notes` is empty if nobody used the screen.

@@ -118,8 +118,9 @@ std::string Visit::State::control_at(float x, float y) const {
 void Visit::State::pointer(const InputEvent& e) {
   using Kind = InputEvent::Kind;
   if (e.finger != 0) {
-    // Only the wheel uses further fingers: a second hand.
-    if (screen->id() == ScreenId::throwing && over == Over::nothing && page && pressed.empty())
+    // A second hand at the wheel, or two that turn and tilt a pot.
+    const bool leaves = e.kind == Kind::pointer_up;
+    if (screen->more_fingers() && over == Over::nothing && page && (pressed.empty() || leaves))
       screen->pointer(e, *page);
     return;
   }

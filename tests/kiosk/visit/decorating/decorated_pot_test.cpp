@@ -2,59 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kiosk/visit/decorating/a_jar.h"
+#include "tests/kiosk/visit/decorating/every_tool.h"
 
 namespace onggi::decorating {
 namespace {
 
 using decoration::CoatPicture;
 using decoration::Way;
-using decoration::WayTool;
 using surface::kSectors;
-
-enum Of { band, leaf, cut, flood, scrape, glaze, wipe, smoke };
-
-WayTool tool(const char* id, WayTool::Hand hand, surface::Tool law, int repeats = 8) {
-  WayTool tool;
-  tool.id = id, tool.hand = hand, tool.law = std::move(law), tool.repeats = repeats;
-  return tool;
-}
-
-/// One of every kind, in the order of `Of`.
-Way every_tool() {
-  Way way;
-  way.palette.pigments = {{{0.9f, 0.9f, 0.9f}, {0.8f, 0.8f, 0.8f}, 2e-5},
-                          {{0.4f, 0.1f, 0.1f}, {0.02f, 0.02f, 0.02f}, 2e-5}};
-  way.pigments = {{"white", {}}, {"black", {}}};
-  way.figures = {{"leaf", {{{{-0.3, -0.5}, {0.3, -0.5}, {0.3, 0.5}, {-0.3, 0.5}}}, {}}, {}}};
-  surface::BrushDef brush;
-  brush.width = 0.006, brush.reach = 100.0;
-  way.tools.push_back(tool("band", WayTool::ring, brush));
-  way.tools.back().pigments = {0, 1};
-  way.tools.push_back(tool("leaf", WayTool::figure, brush, 5));
-  way.tools.back().pigments = {1, 0};
-  way.tools.back().motifs = {0};
-  surface::CutDef needle;
-  needle.width = 0.001, needle.depth = 7e-4, needle.burr = 0.0;
-  way.tools.push_back(tool("cut", WayTool::line, needle));
-  surface::BrushDef broad = brush;
-  broad.width = 0.03, broad.fill = 0.67;
-  way.tools.push_back(tool("flood", WayTool::all, broad));
-  way.tools.back().pigments = {0};
-  surface::ScrapeDef blade;
-  blade.width = 0.02;
-  way.tools.push_back(tool("scrape", WayTool::ring, blade));
-  way.tools.back().needs = flood;
-  surface::DipDef dip;
-  dip.seconds = 1.0, dip.drinks = 1.0;
-  way.tools.push_back(tool("glaze", WayTool::all, dip));
-  surface::WipeDef finger;
-  finger.wet_time = 3600.0;
-  way.tools.push_back(tool("wipe", WayTool::line, finger));
-  way.tools.back().needs = glaze;
-  way.tools.push_back(tool("smoke", WayTool::up, surface::SmokeDef{}));
-  return way;
-}
 
 struct Decorating : testing::Test {
   Way way = every_tool();
@@ -125,6 +80,33 @@ TEST_F(Decorating, ALineIsDrawnAsOftenAsChosenWhileTheFingerMoves) {
   EXPECT_EQ(pot->did()[0].times, 1);
 }
 
+TEST_F(Decorating, AShakingFingerDrawsACalmLine) {
+  pot->choose_tool(cut);
+  pot->press({0.05, 0.5});
+  for (int n = 1; n <= 200; ++n)
+    pot->move({0.05 + 0.0003 * n, 0.5 + (n % 2 == 0 ? 0.0025 : -0.0025)});
+  pot->lift();
+  // The finger went 1 mm to either side; nothing is cut beyond 1 mm, but for the needle's width.
+  for (int row = 220; row < 400; ++row) {
+    EXPECT_EQ(pot->surface().relief(row, kSectors / 2 + 7), 0) << row;
+    EXPECT_EQ(pot->surface().relief(row, kSectors / 2 - 7), 0) << row;
+  }
+}
+
+TEST_F(Decorating, AQuickFingersLineHasNoCorners) {
+  pot->choose_tool(cut);
+  pot->press({0.05, 0.5});
+  pot->move({0.09, 0.5});
+  pot->move({0.09, 0.6});
+  pot->lift();
+  const auto cut_at = [&](double along, double turns) {
+    return pot->surface().relief(static_cast<int>(along * 4000),
+                                 static_cast<int>(turns * kSectors)) < -200;
+  };
+  EXPECT_FALSE(cut_at(0.0895, 0.5));
+  EXPECT_TRUE(cut_at(0.06, 0.5));
+}
+
 TEST_F(Decorating, ATapWithALineToolLeavesADabAsOftenAsChosen) {
   for (const int tool : {int{cut}, int{wipe}}) {
     if (tool == wipe) touch(glaze, 0.08);
@@ -176,6 +158,12 @@ TEST_F(Decorating, CutFloodedAndScrapedTheSlipStaysInTheCuts) {
   EXPECT_GT(slip(0.08, 0.125), 200'000);
   EXPECT_GT(texel(0.08, 0.125)[3], 200);
   expect_whole_picture();
+}
+
+TEST_F(Decorating, AFloodLeavesNoRowOfTheOutsideBare) {
+  touch(flood, 0.05);
+  for (double along = 0.001; along < pot->outside() - 0.001; along += 0.00025)
+    ASSERT_GT(slip(along, 0.4), 0) << along;
 }
 
 TEST_F(Decorating, AToolThatNeedsAnotherOneWaitsForItAndUndoTakesThatBack) {
@@ -287,6 +275,133 @@ TEST_F(Decorating, AtTheEndsOfThePotNothingBreaks) {
   expect_whole_picture();
 }
 
+TEST_F(Decorating, ABrushSmearsSlipThatIsStillWet) {
+  const auto crossed = [&](double waited) {
+    pot = *DecoratedPot::begin(a_jar(), way);
+    pot->choose_tool(band);
+    pot->choose_pigment(0);
+    touch(band, 0.08);
+    pot->update(waited);
+    pot->choose_pigment(1);
+    touch(band, 0.084);
+    return pot->surface().hash();
+  };
+  const std::uint64_t dry = crossed(20.0);
+  EXPECT_EQ(crossed(40.0), dry);
+  EXPECT_NE(crossed(0.5), dry);
+}
+
+TEST_F(Decorating, AStampIsPressedUprightRoundThePot) {
+  surface::StampDef stamp;
+  stamp.side = decoration::kStampSide, stamp.depth = 6e-4;
+  way.tools.push_back(a_tool("stamp", decoration::WayTool::figure, stamp, 5));
+  way.tools.back().motifs = {0};
+  way.tools.back().size = 0.01;
+  pot = *DecoratedPot::begin(a_jar(), way);
+  touch(smoke + 1, 0.08, 0.3);
+  const int middle = static_cast<int>(0.3 * kSectors);
+  for (int k = 0; k < 5; ++k)
+    EXPECT_LT(pot->surface().relief(320, surface::wrapped(middle + k * kSectors / 5)), -300) << k;
+  // The leaf is 6 mm wide and 10 mm high.
+  const int width = pot->surface().row(320).width;
+  const auto deep = [&](int j, double mm) {
+    return pot->surface().relief(j, middle + static_cast<int>(mm * 1e6 / width)) < -300;
+  };
+  EXPECT_TRUE(deep(320 + 17, 0.0));
+  EXPECT_FALSE(deep(320 + 23, 0.0));
+  EXPECT_TRUE(deep(320, 2.5));
+  EXPECT_FALSE(deep(320, 3.5));
+  expect_whole_picture();
+}
+
+TEST_F(Decorating, ABrushThatEmptiesLeavesNothingAtTheEndOfItsWayAndIsDippedForTheNext) {
+  surface::BrushDef brush;
+  brush.width = 0.004, brush.reach = 0.03;
+  way.tools.push_back(a_tool("free", decoration::WayTool::line, brush, 5));
+  way.tools.back().pigments = {0};
+  pot = *DecoratedPot::begin(a_jar(), way);
+  pot->choose_tool(smoke + 1);
+  for (const double turns : {0.1, 0.15}) {
+    pot->press({0.04, turns});
+    for (int n = 1; n <= 50; ++n) pot->move({0.04 + 0.001 * n, turns});
+    pot->lift();
+    EXPECT_GT(slip(0.045, turns), 50'000);
+    EXPECT_EQ(slip(0.08, turns), 0);
+  }
+}
+
+TEST_F(Decorating, WaxIsSeenUntilTheFireAndKeepsGlazeAway) {
+  way.tools.push_back(a_tool("wax", decoration::WayTool::line, surface::ResistDef{}, 5));
+  pot = *DecoratedPot::begin(a_jar(), way);
+  touch(smoke + 1, 0.08, 0.3);
+  EXPECT_GT(texel(0.081, 0.3)[3], 100);
+  touch(glaze, 0.08);
+  EXPECT_EQ(pot->surface().glaze(324, static_cast<int>(0.3 * kSectors)), 0);
+  EXPECT_GT(pot->surface().glaze(324, static_cast<int>(0.4 * kSectors)), 0);
+  pot->fire(true);
+  pot->finish();
+  EXPECT_EQ(texel(0.081, 0.3)[3], 0);
+  EXPECT_EQ(pot->picture().form()[324 * kSectors + static_cast<std::size_t>(0.3 * kSectors)][3], 0);
+}
+
+TEST_F(Decorating, InTheKilnWipedRidgesRoundOverAndNoFrameWaitsForIt) {
+  touch(glaze, 0.08);
+  touch(wipe, 0.08, 0.1);
+  const auto steepest = [&] {
+    int most = 0;
+    for (const CoatPicture::Texel& texel : pot->picture().form())
+      most = std::max(most, std::abs(texel[1] - 128));
+    return most;
+  };
+  EXPECT_GT(steepest(), 40);
+  pot->heat();
+  int frames = 0;
+  for (; frames < 400 && !pot->picture().melted(); ++frames) {
+    pot->fire(frames > 10);
+    pot->update(1.0 / 30);
+  }
+  EXPECT_GT(frames, 20);
+  EXPECT_LT(frames, 150);
+  EXPECT_LT(steepest(), 25);
+  // Back on the wheel it is raw again, and can be wiped.
+  pot->fire(false);
+  pot->finish();
+  EXPECT_FALSE(pot->picture().melted());
+  EXPECT_GT(steepest(), 40);
+  touch(wipe, 0.1, 0.2);
+  expect_whole_picture();
+}
+
+TEST_F(Decorating, AFiredPotThatGoesHomeHasMelted) {
+  touch(cut, 0.08);
+  pot->fire(true);
+  pot->finish();
+  EXPECT_TRUE(pot->picture().melted());
+  // A kiln without glaze leaves the cut as sharp as it is.
+  const auto soft = pot->picture().form();
+  pot->fire(true, false);
+  pot->finish();
+  EXPECT_FALSE(pot->picture().melted());
+  EXPECT_NE(soft, pot->picture().form());
+}
+
+TEST_F(Decorating, APotIsSettledOnceTheMeltAndThePictureAreDoneAndNotBefore) {
+  touch(cut, 0.08);
+  pot->heat();
+  pot->fire(true);
+  pot->update(0.0);
+  EXPECT_FALSE(pot->settled()) << "the melt has begun";
+  int frames = 1;
+  for (; frames < 400 && !pot->settled(); ++frames) pot->update(0.0);
+  EXPECT_GT(frames, 20);
+  EXPECT_LT(frames, 250);
+  const auto form = pot->picture().form();
+  pot->finish();
+  EXPECT_TRUE(form == pot->picture().form()) << "nothing was left";
+  pot->press({0.05, 0.1});
+  EXPECT_FALSE(pot->settled());
+}
+
 TEST_F(Decorating, TheChosenPigmentIsLaidAndTheFireShowsItsOtherColour) {
   pot->choose_tool(band);
   pot->choose_pigment(1);
@@ -296,6 +411,32 @@ TEST_F(Decorating, TheChosenPigmentIsLaidAndTheFireShowsItsOtherColour) {
   pot->fire(true);
   pot->finish();
   EXPECT_LT(texel(0.08, 0.5)[0], raw[0] / 2);
+}
+
+TEST_F(Decorating, TheClayComesAsFarAsTheToolsThatWereUsedNeedAndUndoBringsItBack) {
+  way.tools[cut].state = decoration::WayTool::leather;
+  way.tools[band].state = decoration::WayTool::dry;
+  EXPECT_EQ(pot->state(), decoration::WayTool::soft);
+  touch(cut, 0.08);
+  EXPECT_EQ(pot->state(), decoration::WayTool::leather);
+  touch(band, 0.08);
+  EXPECT_EQ(pot->state(), decoration::WayTool::dry);
+  touch(cut, 0.05);  // it stays dry
+  EXPECT_EQ(pot->state(), decoration::WayTool::dry);
+  pot->undo();
+  pot->undo();
+  EXPECT_EQ(pot->state(), decoration::WayTool::leather);
+}
+
+TEST_F(Decorating, AZoneIsTouchedByWhatLiesInItAndNotByACover) {
+  touch(flood, 0.08);
+  touch(smoke, 0.02);
+  EXPECT_FALSE(pot->touched(0.0, 0.16));
+  touch(cut, 0.08);
+  EXPECT_TRUE(pot->touched(0.07, 0.09));
+  EXPECT_FALSE(pot->touched(0.12, 0.14));
+  pot->undo();
+  EXPECT_FALSE(pot->touched(0.07, 0.09));
 }
 
 }  // namespace

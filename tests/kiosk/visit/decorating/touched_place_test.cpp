@@ -9,7 +9,6 @@
 namespace onggi::decorating {
 namespace {
 
-using surface::Part;
 using surface::Surface;
 
 constexpr double kTurn = 2.0 * 3.14159265358979323846;
@@ -27,7 +26,7 @@ struct TouchedPlace : testing::Test {
 
 TEST_F(TouchedPlace, APointOfTheWallThatFacesTheEyeIsFoundWhereItIsDrawn) {
   for (const double turned : {0.0, 1.0, -2.5})
-    for (int row = 20; row < pot.rows() && pot.row(row).part == Part::outside; row += 37)
+    for (int row = 20; row < pot.rows() && pot.row(row).part == surface::Part::outside; row += 37)
       for (const double angle : {0.6, 1.2, 1.57, 2.3}) {  // the eye is at a quarter of a turn
         const auto [x, y] = pixel(row, angle);
         const auto found = place_under(camera, pot, turned, x, y);
@@ -40,7 +39,7 @@ TEST_F(TouchedPlace, APointOfTheWallThatFacesTheEyeIsFoundWhereItIsDrawn) {
 
 TEST_F(TouchedPlace, OverTheRimTheFarInsideIsTouched) {
   int row = 0;
-  while (pot.row(row).part != Part::inside) ++row;
+  while (pot.row(row).part != surface::Part::inside) ++row;
   row += 12;  // 3 mm under the lip
   const auto [x, y] = pixel(row, -1.57);
   const auto found = place_under(camera, pot, 0.0, x, y);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "kiosk/picture/view/palette.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
 
 namespace onggi::screens {
@@ -19,6 +20,20 @@ struct Decorator : Visitor {
   std::pair<float, float> middle() const {
     const view::Rect mark = *visit->control("decorate.mark");
     return {mark.x + mark.w / 2, mark.y + mark.h * 0.55f};
+  }
+  void finger(int number, view::InputEvent::Kind kind, float x, float y) {
+    view::InputEvent e;
+    e.kind = kind, e.x = x, e.y = y, e.glass = true;
+    e.finger = static_cast<std::uint8_t>(number);
+    visit->input(e, now);
+  }
+  int faint_strokes() const {
+    int n = 0;
+    for (const auto& item : frame.items)
+      if (const auto* line = std::get_if<view::Line>(&item))
+        n += line->points.size() == 2 && view::same_hue(line->colors.front(), view::kPlaster) &&
+             line->colors.front().a < 1;
+    return n;
   }
   void stroke(float dx, float dy) {
     const auto [x, y] = middle();
@@ -46,6 +61,53 @@ TEST(DecorateScreen, ComesAfterTheResultAndMayBeSkipped) {
     if (const auto* wish = std::get_if<MakeKeepsake>(&request)) {
       EXPECT_FALSE(wish->decorated);
     }
+}
+
+// Else a finger that rests on the pot for three seconds would turn "Read aloud" on.
+TEST(DecorateScreen, AFingerThatRestsOnThePotIsAtWorkWhateverTheToolAndOneBesideItIsNot) {
+  Decorator v;
+  v.touch("result.keep");
+  view::InputEvent e;
+  e.kind = view::InputEvent::Kind::pointer_down;
+  for (const auto& [id, control] : v.visit->controls()) {
+    if (!id.starts_with("decorate.tool.")) continue;
+    v.touch(id);
+    std::tie(e.x, e.y) = v.middle();
+    EXPECT_TRUE(v.visit->works(e)) << id;
+    e.x = e.y = 3;
+    EXPECT_FALSE(v.visit->works(e)) << id;
+  }
+  e.kind = view::InputEvent::Kind::key_down, e.key = view::Key::up;
+  EXPECT_TRUE(v.visit->works(e)) << "it moves the mark";
+  e.key = view::Key::enter;
+  EXPECT_FALSE(v.visit->works(e));
+}
+
+TEST(DecorateScreen, SomeToolsStandBehindAButtonAndNeverMoreThanSixAreShown) {
+  for (const auto& file : std::filesystem::directory_iterator("content/ways")) {
+    Decorator v(file.path().stem().string());
+    v.touch("result.keep");
+    const auto& tools = v.pot()->way().tools;
+    const auto shown = [&](bool more) {
+      int count = 0;
+      for (int n = 0; n < static_cast<int>(tools.size()); ++n) {
+        const bool on = v.visit->control("decorate.tool." + std::to_string(n)).has_value();
+        EXPECT_EQ(on, tools[static_cast<std::size_t>(n)].more == more) << file.path() << n;
+        count += on;
+      }
+      EXPECT_LE(count, 6) << file.path();
+      return count;
+    };
+    const int first = shown(false);
+    ASSERT_EQ(v.visit->control("decorate.more").has_value(),
+              first < static_cast<int>(tools.size()));
+    if (first == static_cast<int>(tools.size())) continue;
+    v.touch("decorate.more");
+    EXPECT_TRUE(v.pot()->held().more);
+    EXPECT_EQ(shown(true), static_cast<int>(tools.size()) - first);
+    v.touch("decorate.more");
+    EXPECT_FALSE(v.pot()->held().more);
+  }
 }
 
 TEST(DecorateScreen, WhereNoWayIsOfferedTheResultLeadsToTheKiln) {
@@ -200,6 +262,133 @@ TEST(DecorateScreen, AfterAGoodWhileItSaysSoGentlyAndTakesNothingAway) {
   v.frames(45);
   EXPECT_NE(words_in(v.frame).find("When you like it, fire it."), std::string::npos);
   EXPECT_EQ(v.visit->screen(), ScreenId::decorate);
+}
+
+TEST(DecorateScreen, ATouchWhileARingClosesIsNotLost) {
+  Decorator v("porcelain");
+  v.touch("result.keep");
+  const auto [x, y] = v.middle();
+  v.down(x, y);
+  v.show();
+  v.up(x, y);
+  v.show();
+  ASSERT_TRUE(v.pot()->busy());
+  v.down(x, y + 60);
+  v.show();
+  v.up(x, y + 60);
+  v.frames(4);
+  ASSERT_EQ(v.pot()->did().size(), 1u);
+  EXPECT_EQ(v.pot()->did()[0].times, 2);
+}
+
+TEST(DecorateScreen, ShowMeDrawsAnExampleAndTakesItBack) {
+  Decorator v;
+  v.touch("result.keep");
+  v.touch("decorate.show");
+  v.frames(2.0);
+  EXPECT_NE(v.visit->decoration(), nullptr);
+  EXPECT_NE(words_in(v.frame).find("Watch the finger"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("Leave it plain"), std::string::npos);
+  v.frames(5.0);
+  EXPECT_EQ(v.visit->decoration(), nullptr);
+  EXPECT_EQ(words_in(v.frame).find("Watch the finger"), std::string::npos);
+}
+
+TEST(DecorateScreen, ATouchEndsTheExampleAndDrawsAtOnce) {
+  Decorator v;
+  v.touch("result.keep");
+  v.touch("decorate.show");
+  v.frames(1.5);
+  v.stroke(20, 40);
+  EXPECT_FALSE(v.pot()->shows_example());
+  ASSERT_EQ(v.pot()->did().size(), 1u);
+  EXPECT_EQ(v.pot()->did()[0].times, 1);
+  v.frames(7);
+  EXPECT_FALSE(v.pot()->bare());
+  v.touch("decorate.undo");
+  EXPECT_TRUE(v.pot()->bare());
+}
+
+TEST(DecorateScreen, ShowMeGoesByKeysAndASecondPressEndsIt) {
+  Decorator v;
+  v.touch("result.keep");
+  for (int n = 0; n < 30 && v.visit->focus() != "decorate.show"; ++n) v.key(view::Key::next);
+  v.key(view::Key::enter);
+  v.frames(1.5);
+  EXPECT_TRUE(v.pot()->shows_example());
+  EXPECT_EQ(v.visit->reading().words.front(), "Decorate your pot");
+  v.key(view::Key::enter);
+  EXPECT_FALSE(v.pot()->shows_example());
+  EXPECT_TRUE(v.pot()->bare());
+}
+
+TEST(DecorateScreen, WhoGoesOnDuringAnExampleTakesNothingOfItAlong) {
+  Decorator v;
+  v.touch("result.keep");
+  v.touch("decorate.show");
+  v.frames(1.5);
+  v.touch("decorate.on");
+  EXPECT_EQ(v.visit->screen(), ScreenId::kiln);
+  EXPECT_TRUE(v.pot()->bare());
+  EXPECT_EQ(v.visit->decoration(), nullptr);
+}
+
+TEST(DecorateScreen, AWordSaysThatTheClayHasComeFurtherAndGoesByItself) {
+  Decorator v("porcelain");
+  v.touch("result.keep");
+  EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
+  v.stroke(20, 20);
+  EXPECT_NE(words_in(v.frame).find("It has been fired once."), std::string::npos);
+  v.frames(4);
+  EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
+  v.stroke(20, -40);
+  EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
+}
+
+TEST(DecorateScreen, TwoFingersTurnAndTiltThePotAndDrawNothing) {
+  using Kind = view::InputEvent::Kind;
+  Decorator v;
+  v.touch("result.keep");
+  const auto [x, y] = v.middle();
+  v.frames(1);
+  const view::PotView before = *v.frame.pot;
+  v.finger(0, Kind::pointer_down, x - 40, y);
+  v.finger(0, Kind::pointer_move, x - 38, y);
+  v.show();
+  v.finger(1, Kind::pointer_down, x + 40, y);
+  for (const int finger : {0, 1})
+    v.finger(finger, Kind::pointer_move, x + 60 + 80.0f * static_cast<float>(finger), y + 60);
+  v.show();
+  v.finger(1, Kind::pointer_up, x + 140, y + 60);
+  v.finger(0, Kind::pointer_move, x + 80, y + 60);
+  v.finger(0, Kind::pointer_up, x + 80, y + 60);
+  v.show();
+  EXPECT_TRUE(v.pot()->bare());
+  EXPECT_GT(v.frame.pot->camera.elevation, before.camera.elevation + 0.1);
+  EXPECT_LT(v.frame.pot->clay_angle, before.clay_angle - 0.3);
+  // One finger then draws where it is, on the tilted pot.
+  v.finger(0, Kind::pointer_down, x, y);
+  v.finger(0, Kind::pointer_move, x + 20, y + 40);
+  v.finger(0, Kind::pointer_up, x + 20, y + 40);
+  v.show();
+  EXPECT_FALSE(v.pot()->bare());
+}
+
+TEST(DecorateScreen, StartsOfTheVesselsMakersAreHintedUntilTheirZoneIsTouched) {
+  Decorator v;
+  decoration::Start start;
+  start.at = 0.5, start.reach = 0.3, start.repeats = 8;
+  start.from = {0.0, -0.02}, start.to = {0.0, 0.01};
+  v.vessels[0].starts = {start};
+  v.touch("result.keep");
+  v.frames(1);
+  EXPECT_GE(v.faint_strokes(), 2);
+  EXPECT_LE(v.faint_strokes(), 5);
+  v.stroke(10, 30);
+  EXPECT_EQ(v.faint_strokes(), 0);
+  v.touch("decorate.undo");
+  v.show();
+  EXPECT_GE(v.faint_strokes(), 2);
 }
 
 TEST(DecorateScreen, NothingOfAnyWayIsCutAtAnySize) {

@@ -211,5 +211,53 @@ TEST(Turntable, APotThatAnswersADescriptionIsTurnedByFingerAndKeysToo) {
   EXPECT_EQ(v.turned([&] { v.frames(1); }), 0.0) << "a finger holds it";
 }
 
+TEST(Turntable, TwoFingersTurnItByTheirMiddleAndTiltItWithinBounds) {
+  using Kind = InputEvent::Kind;
+  Turntable table;
+  const auto event = [&](Kind kind, int finger, float x, float y) {
+    InputEvent e;
+    e.kind = kind, e.x = x, e.y = y, e.finger = static_cast<std::uint8_t>(finger);
+    return table.pair(e, 400);
+  };
+  EXPECT_FALSE(event(Kind::pointer_down, 0, 100, 100));
+  EXPECT_FALSE(event(Kind::pointer_move, 0, 110, 100));
+  EXPECT_TRUE(event(Kind::pointer_down, 1, 200, 100));
+  EXPECT_TRUE(event(Kind::pointer_move, 0, 210, 200));
+  EXPECT_TRUE(event(Kind::pointer_move, 1, 300, 200));
+  EXPECT_NEAR(table.angle(), -3.14159 * 100 / 400, 1e-4);
+  EXPECT_NEAR(table.tilt(), 0.5 * 3.14159 * 100 / 400, 1e-4);
+  EXPECT_TRUE(table.stands(0));
+  EXPECT_TRUE(event(Kind::pointer_move, 0, 210, 4000));
+  EXPECT_EQ(table.tilt(), Turntable::kMostTilt);
+  EXPECT_TRUE(event(Kind::pointer_move, 0, 210, -9000));
+  EXPECT_EQ(table.tilt(), Turntable::kLeastTilt);
+  // Theirs until both have left.
+  EXPECT_TRUE(event(Kind::pointer_up, 1, 300, 200));
+  EXPECT_TRUE(event(Kind::pointer_move, 0, 215, -9000));
+  EXPECT_TRUE(event(Kind::pointer_up, 0, 215, -9000));
+  EXPECT_FALSE(event(Kind::pointer_down, 0, 100, 100));
+  table.let_go();
+  EXPECT_FALSE(event(Kind::pointer_down, 1, 100, 100));
+}
+
+TEST(Turntable, AtTheResultTwoFingersTiltBothPots) {
+  using Kind = InputEvent::Kind;
+  AtResult v;
+  const double before = v.frame.pot->camera.elevation;
+  const view::Rect at = *v.visit->control(kPots);
+  const auto event = [&](Kind kind, int finger, float x, float y) {
+    InputEvent e;
+    e.kind = kind, e.x = x, e.y = y, e.glass = true, e.finger = static_cast<std::uint8_t>(finger);
+    v.visit->input(e, v.now);
+  };
+  for (const int finger : {0, 1})
+    event(Kind::pointer_down, finger, at.x + 40.0f * static_cast<float>(finger + 1), at.y + 50);
+  for (const int finger : {0, 1})
+    event(Kind::pointer_move, finger, at.x + 40.0f * static_cast<float>(finger + 1), at.y + 110);
+  v.show();
+  EXPECT_GT(v.frame.pot->camera.elevation, before + 0.05);
+  EXPECT_EQ(v.frame.pot->beside->camera.elevation, v.frame.pot->camera.elevation);
+}
+
 }  // namespace
 }  // namespace onggi::screens

@@ -314,6 +314,8 @@ void Visitor::offer(const std::string& way_id) {
 
 void walk_decorating(Visitor& v, const std::function<void(const std::string&)>& look) {
   for (std::size_t n = 0; n < v.way->tools.size(); ++n) {
+    const decorating::DecoratedPot* pot = v.visit->decorated_pot();
+    if (pot != nullptr && v.way->tools[n].more != pot->held().more) v.touch("decorate.more");
     v.touch("decorate.tool." + std::to_string(n));
     look("decorate " + v.way->id + " " + v.way->tools[n].id);
     v.touch("decorate.mark");

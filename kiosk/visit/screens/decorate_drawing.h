@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "kiosk/collection/decoration/starts.h"
+#include "kiosk/visit/decorating/example.h"
+#include "kiosk/visit/screens/page.h"
+
+namespace onggi::screens {
+
+/// A pot that is decorated, as it is seen: `angle` as in view::PotView::clay_angle.
+struct SeenPot {
+  const decorating::DecoratedPot& pot;
+  view::Camera camera;
+  double angle = 0;
+
+  /// The pixel of a place; nothing where the pot hides it.
+  std::optional<std::pair<float, float>> pixel(const decorating::Place& at) const;
+  /// Where the pot faces the eye, turns round it.
+  double front() const;
+};
+
+/// A height, m along the outline, as a line round the part that faces the eye.
+void draw_mark(Page& page, const SeenPot& seen, double along);
+
+/// A translucent hand whose finger leads the tool.
+void draw_finger(Page& page, const SeenPot& seen, const decorating::Example::Finger& finger);
+
+/// Faint short strokes where the makers of the vessel began, those that the held tool could make.
+/// None in a zone that was touched.
+void draw_starts(Page& page, const SeenPot& seen, std::span<const decoration::Start> starts);
+
+/// A word over the pot, `shown` 0..1.
+void draw_word(Page& page, const std::string& word, float shown);
+
+}  // namespace onggi::screens
