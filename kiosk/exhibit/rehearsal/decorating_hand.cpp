@@ -22,6 +22,7 @@ DecoratingHand::DecoratingHand(const DecoratedPot& pot) {
   const auto& tools = pot.way().tools;
   for (int n = 0; n < static_cast<int>(tools.size()); ++n) {
     const WayTool& tool = tools[static_cast<std::size_t>(n)];
+    if (tool.more) continue;  // behind a button
     switch (tool.hand) {
       case WayTool::ring:
         if (const auto* blade = std::get_if<surface::ScrapeDef>(&tool.law)) {

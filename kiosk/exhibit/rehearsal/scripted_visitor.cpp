@@ -233,19 +233,28 @@ Result<void> ScriptedVisitor::on_decorate() {
   if (touched_) return {};
   const auto* pot = kiosk_.visit().decorated_pot();
   if (plan_.decorate && pot != nullptr && kiosk_.shown().pot) {
-    if (!decorating_) {
+    if (!decorating_ && !clumsy_) {
       pass("decorate_begin");
-      decorating_.emplace(*pot);
+      if (plan_.clumsy)
+        clumsy_.emplace(plan_.seed, *plan_.clumsy);
+      else
+        decorating_.emplace(*pot);
     }
-    if (!decorating_->done() || pot->busy()) return decorate(*pot);
+    if (!decorated(*pot)) return decorate(*pot);
   }
   touched_ = true;
   pass("decorate");
   return touch("decorate.on");
 }
 
+bool ScriptedVisitor::decorated(const decorating::DecoratedPot& pot) const {
+  return (clumsy_ ? clumsy_->done() : decorating_->done()) && !pot.busy();
+}
+
 Result<void> ScriptedVisitor::decorate(const decorating::DecoratedPot& pot) {
-  const DecoratingHand::Act act = decorating_->step(now_, pot, kiosk_.shown().pot->camera);
+  const view::Camera& camera = kiosk_.shown().pot->camera;
+  const DecoratingHand::Act act =
+      clumsy_ ? clumsy_->step(now_, pot, camera) : decorating_->step(now_, pot, camera);
   if (!act.control.empty()) return touch(act.control);
   view::InputEvent e;
   e.kind = !act.finger ? view::InputEvent::Kind::pointer_up

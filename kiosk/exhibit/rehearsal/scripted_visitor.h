@@ -8,6 +8,7 @@
 #include "kiosk/exhibit/composition/kiosk.h"
 #include "kiosk/exhibit/rehearsal/decorating_hand.h"
 #include "kiosk/exhibit/rehearsal/looks_smooth.h"
+#include "kiosk/exhibit/rehearsal/naive_decorator.h"
 #include "kiosk/exhibit/rehearsal/naive_hands.h"
 #include "kiosk/exhibit/rehearsal/two_player_script.h"
 #include "kiosk/exhibit/rehearsal/visitors_hand.h"
@@ -30,6 +31,8 @@ class ScriptedVisitor {
     int mission = -1;            ///< Instead of a card: index among the missions that are on.
     int glaze = 0;               ///< Index in the exhibit's glazes, if the scene has a kiln.
     bool decorate = false;  ///< Decorates the pot, if its vessel has a way; else leaves it plain.
+    /// Instead of a careful hand: clumsy strokes by the seed, for so many seconds, 5 to 600.
+    std::optional<double> clumsy;
     std::uint64_t seed = 1;
     double pace = 1.0;    ///< The script's.
     double linger = 2.0;  ///< Seconds at each screen.
@@ -67,6 +70,8 @@ class ScriptedVisitor {
   Result<void> on_naive(double now);
   Result<void> on_two(double now);
   Result<void> on_decorate();
+  /// True once the pot is decorated.
+  bool decorated(const decorating::DecoratedPot& pot) const;
   Result<void> decorate(const decorating::DecoratedPot& pot);
   Result<void> on_kiln();
   Result<void> on_keepsake();
@@ -89,6 +94,7 @@ class ScriptedVisitor {
   std::optional<NaiveHands> hands_;
   std::optional<TwoPlayerScript> two_;
   std::optional<DecoratingHand> decorating_;
+  std::optional<NaiveDecorator> clumsy_;
   std::optional<std::pair<float, float>> finger_;  ///< Of decorating_, where it is down.
   std::optional<Looks> looks_;
   Profile lump_;  ///< The fresh lump.

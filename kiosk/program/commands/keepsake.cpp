@@ -30,8 +30,9 @@ constexpr std::size_t kNewest = 20;           // listed where nobody names one
 constexpr std::size_t kMostTaken = 1u << 28;  // bytes; more than onggi writes
 constexpr auto kPatience = std::chrono::seconds(60);
 /// What a visitor takes home.
-constexpr std::array kTaken{souvenir::kPostcard, souvenir::kPotGlb,      souvenir::kTurning,
-                            souvenir::kRollout,  souvenir::kPostcardPng, souvenir::kPotStl};
+constexpr std::array kTaken{souvenir::kPostcard, souvenir::kPotGlb, souvenir::kTurning,
+                            souvenir::kRollout,  souvenir::kSheet,  souvenir::kPostcardPng,
+                            souvenir::kPotStl};
 /// What is printed: the first of these that is there. The first two have the visitor's code.
 constexpr std::array kPrinted{souvenir::kPrint, souvenir::kPostcardPng, souvenir::kPostcard};
 

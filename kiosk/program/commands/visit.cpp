@@ -41,7 +41,7 @@ struct VisitArguments {
   std::string config, script = kFollow, vessel, out, window = "1280x720", language, shelf, glaze,
                       hand = "script", film, pointer = "mouse", mission;
   files::Output json{files::Output::Kind::json};
-  double seconds = 90, pace = 1.5;
+  double seconds = 90, pace = 1.5, clumsy = 0;
   std::uint64_t seed = 1;
   bool realtime = false, decorate = false;
 };
@@ -175,7 +175,7 @@ Result<void> walk(exhibit::Kiosk& kiosk, rehearsal::ScriptedVisitor& visitor, in
     }
     // A save runs on a worker: give it wall time, or the visit's clock would run ahead of it.
     if (kiosk.doing().saving || kiosk.doing().turning)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      std::this_thread::sleep_for(std::chrono::duration<double>(step));
     if (realtime)
       std::this_thread::sleep_for(std::chrono::duration<double>(
           std::max(0.0, begun + now + step - files::monotonic_seconds())));
@@ -287,7 +287,8 @@ Result<int> visit(const VisitArguments& arguments) {
       find_glaze(kiosk, kiosk.shelf().cards()[static_cast<std::size_t>(*card)], arguments.glaze);
   if (!glaze) return tl::unexpected(glaze.error());
   plan.glaze = *glaze;
-  plan.decorate = arguments.decorate;
+  plan.decorate = arguments.decorate || arguments.clumsy > 0;
+  if (arguments.clumsy > 0) plan.clumsy = arguments.clumsy;
   const bool naive = arguments.script == kNaive;
   if (naive)
     plan.naive = {arguments.seconds, arguments.pointer == "finger"
@@ -368,6 +369,11 @@ cli::Command visit_command() {
            {"--window", &a->window, "WIDTHxHEIGHT of the screens [1280x720]"},
            {"--glaze", &a->glaze, "A glaze of the exhibit [the vessel's own]"},
            {"--decorate", &a->decorate, "Decorate the pot as its makers did"},
+           {.name = "--clumsy",
+            .field = &a->clumsy,
+            .help = "Seconds of clumsy strokes on it instead, by --seed",
+            .least = 5,
+            .most = 600},
            {"--language", &a->language, "A language of the exhibit [its first]"},
            {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"},
            {"--shelf", &a->shelf, "A folder of vessels instead of the exhibit's"}},

@@ -144,6 +144,17 @@ TEST_F(TomlReaderTest, a_misspelt_key_is_answered_with_the_nearest_right_one) {
   EXPECT_EQ(reader.problems()[0].remedy, "Did you mean warn_after?");
 }
 
+TEST_F(TomlReaderTest, a_key_that_is_there_is_not_what_a_misspelt_one_means) {
+  TomlReader reader(write("law = \"cut\"\n[haw]\nen = \"So.\"\n"));
+  std::string law;
+  auto root = reader.root();
+  root.text("law", law);
+  root.child("how");
+  root.finish();
+  ASSERT_THAT(reader.problems(), SizeIs(1));
+  EXPECT_EQ(reader.problems()[0].remedy, "Did you mean how?");
+}
+
 TEST_F(TomlReaderTest, a_key_that_slipped_into_another_table_is_sent_back_to_its_own) {
   TomlReader reader(write("[idle]\nwarn_after = 60\ncredit = \"Museum\"\n"));
   std::string credit;
