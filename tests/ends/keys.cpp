@@ -146,6 +146,10 @@ void add_content(Json& all) {
       written(settings::kMostLitres));
   add(all, "mission", "", "height_mm", "[40, 40]", "[200, 200]");
   add(all, "mission", "", "mouth_mm", "[40, 40]", "[220, 220]");
+  add(all, "way", "name", bounds::kWayName);
+  add(all, "way", "about", bounds::kWayAbout);
+  add(all, "way", "how", bounds::kToolHow);
+  add(all, "way", "did", bounds::kToolHow);
 }
 
 }  // namespace

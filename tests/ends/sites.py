@@ -1,6 +1,7 @@
 """Exhibits whose values stand at the ends of what `onggi check` accepts: which there are, and their files."""
 import itertools
 import json
+import math
 import os
 import random
 import re
@@ -18,6 +19,22 @@ GRIDS = ((8, 16), (8, 8192), (20000, 16), (20000, 209), (512, 8192), (2048, 2048
 # Rows and sectors of a scan's triangles, pixels of its picture's side: one that a museum has, and one of millions.
 SCANS = ((400, 400, 4096), (1001, 1000, 8192))
 MISSIONS = ("today", "describe", "eyes_closed", "two_hands")
+
+# Tools of a way of decorating (kiosk/collection/decoration/way.cpp): law, how it is led, what else it says, and its keys' least, usual
+# and greatest. A way has six at the most, so there are two.
+WAYS = (
+    (("brush", "line", 'with = ["white", "black"]', {"width_mm": (0.5, 6, 40), "thickness_um": (2, 150, 2000), "fill": (0, 0.67, 1)}),
+     ("brush", "figure", 'with = ["black"]', {"width_mm": (0.5, 2, 40), "size_mm": (5, 30, 100)}),
+     ("cut", "ring", 'section = "v"', {"width_mm": (0.2, 2, 10), "depth_mm": (0.15, 0.5, 3)}),
+     ("dip", "all", "", {"thickness_um": (10, 500, 1000)}),
+     ("wipe", "line", "", {"width_mm": (2, 12, 30)}),
+     ("smoke", "up", "", {})),
+    (("dip", "up", 'with = ["white"]', {"thickness_um": (10, 500, 1000)}),
+     ("cut", "figure", 'section = "flat"', {"width_mm": (0.2, 2, 10), "depth_mm": (0.15, 0.5, 3), "size_mm": (5, 30, 100)}),
+     ("cut", "line", 'section = "u"', {"width_mm": (0.2, 2, 10), "depth_mm": (0.15, 0.5, 3)}),
+     ("brush", "all", 'with = ["black"]', {"width_mm": (0.5, 6, 40), "thickness_um": (2, 150, 2000), "fill": (0, 0.67, 1)}),
+     ("scrape", "all", "", {"width_mm": (1, 20, 40)}),
+     ("burnish", "ring", "", {"width_mm": (1, 6, 20)})))
 
 # Letters that are wide, tall, marked, joined, or each a word: (language, one word or more).
 WRITINGS = {
@@ -61,10 +78,12 @@ def count(text, bound):
 class Case:
     """`edits`: {(file, table, key): value as TOML writes it}."""
 
-    def __init__(self, name, edits=None, language="en", mission=None, shelf=2, drawn=False, words=False, paper=False, scanned=None):
+    def __init__(self, name, edits=None, language="en", mission=None, shelf=2, drawn=False, words=False, paper=False, scanned=None,
+                 way=(0, 1)):
         self.name, self.edits, self.language, self.shelf = name, dict(edits or {}), language, shelf
         self.kind, self.mission = mission, -1 if mission is None else 0
         self.drawn, self.words, self.paper, self.scanned = drawn, words, paper, scanned
+        self.way, self.end = way  # which of WAYS, and 0 least, 1 usual, 2 greatest
 
     def without(self, edit):
         less = Case(self.name)
@@ -113,6 +132,8 @@ def every_case(keys):
     cases += [Case(f"mission={kind}", mission=kind) for kind in MISSIONS]
     cases.append(Case("drawing=500 points a wall", drawn=True))
     cases += [Case(f"scan={2 * (rows - 1) * sectors} triangles, {side} pixels", scanned=(rows, sectors, side)) for rows, sectors, side in SCANS]
+    cases += [Case(f"way={('first', 'second')[way]}, {('least', 'usual', 'greatest')[end]}", way=(way, end)) for way in (0, 1)
+              for end in (0, 1, 2) if (way, end) != (0, 1)]
     cases.append(Case("language=each text as long as it may be", words=True))
     for end in (0, 1):
         edits = {edit_of(key): key["ends"][end] for key in ranged if key["file"] != "paper"}
@@ -121,7 +142,7 @@ def every_case(keys):
             edits.update(special(edit, value))
         if end == 1:
             edits.update({edit_of(key): json.dumps(text_of(key, "wide")) for key in texts})
-        cases.append(Case("all=" + ("least", "greatest")[end], edits, drawn=end == 1, words=end == 1))
+        cases.append(Case("all=" + ("least", "greatest")[end], edits, drawn=end == 1, words=end == 1, way=(0, 2 * end)))
     return cases
 
 
@@ -149,7 +170,7 @@ def mix(keys, seed):
         edits.update(grid_at(draw.choice(GRIDS)))
     mission = draw.choice((None, None, None, *MISSIONS))
     return Case(f"mix={seed}", edits, draw.choice(("en", "ko", "ar", "ja")), mission, draw.choice((1, 2, 12)), draw.random() < 0.3,
-                draw.random() < 0.3, paper)
+                draw.random() < 0.3, paper, way=(draw.choice((0, 1)), draw.choice((0, 1, 2))))
 
 
 class Site:
@@ -255,6 +276,41 @@ def write_shelf(site, case, root, onggi):
         site.write(f"content/vessels/{name}/vessel.toml", tables, edits)
 
 
+def write_way(site, case):
+    """The way of every vessel on the shelf. A figure has as many points as one may have, or a few."""
+    own = {edit[2]: (edit, value) for edit, value in case.edits.items() if edit[0] == "way"}
+    tables, edits = [], []
+
+    def table(header, values, **texts):
+        of = {}
+        for key, words in texts.items():
+            values[f"{key}.{case.language}"] = own[key][1] if key in own else json.dumps(words)
+            if key in own:
+                of[f"{key}.{case.language}"] = own[key][0]
+        tables.append((header, values))
+        edits.append(of)
+
+    table("", {"sources": '"A book"', "simplified": '"All of it"'}, name="A way", about="Paint.")
+    for name, color, hides in (("white", "#FFFFFF", (1, 60, 1000)), ("black", "#000000", (1000, 15, 1))):
+        table(f"[pigment.{name}]", {"color": f'"{color}"', "hides_um": hides[case.end]}, name=name)
+    ring = [[round(0.5 * math.cos(2 * math.pi * n / 9), 4), round(0.5 * math.sin(2 * math.pi * n / 9), 4)] for n in range(9)]
+    spirals = [[[round(math.cos(n + t) * n / 1000, 4), round(math.sin(n + t) * n / 1000, 4)] for n in range(500)] for t in range(4)]
+    drawn = "{points = " + "}, {points = ".join(str(one) for one in (spirals if case.end == 2 else [ring])) + "}"
+    table("[motif.leaf]", {"line" if case.end == 2 else "fill": f"[{drawn}]"}, name="Leaf")
+    for n, (law, hand, more, keys) in enumerate(WAYS[case.way]):
+        values = {"id": f'"tool_{n}"', "law": f'"{law}"', "hand": f'"{hand}"'}
+        if more:
+            key, _, value = more.partition(" = ")
+            values[key] = value
+        if hand == "figure":
+            values["motifs"] = '["leaf"]'
+        values.update({key: ends[case.end] for key, ends in keys.items()})
+        if hand not in ("up", "all"):
+            values["repeats"] = (5, 8, 12)[case.end]
+        table("[[tool]]", values, name=f"Tool {n}", how="Touch the pot.", did="a thing")
+    site.write("content/ways/slip_painted.toml", tables, edits)
+
+
 def write_words(site, case, root):
     shutil.copytree(os.path.join(root, "content/languages"), os.path.join(site.folder, "content/languages"))
     for name in os.listdir(os.path.join(site.folder, "content/languages")):
@@ -297,6 +353,7 @@ def write(case, root, folder, onggi):
     tables, edits = tables_of(case, "rubric", {})
     site.write("config/rubric.toml", tables, edits)
     write_shelf(site, case, root, onggi)
+    write_way(site, case)
     write_words(site, case, root)
     colors = {"body": '"#AA7652"', "glass": '"#9DB5A0"'}
     site.write("content/glazes.toml", *entries(case, "glaze", "glaze", 8, lambda n: colors, {"name": "Celadon", "about": "Green."}))

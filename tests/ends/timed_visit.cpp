@@ -79,6 +79,7 @@ class TimedVisit {
     rehearsal::ScriptedVisitor::Plan who;
     who.naive = {kThrows, rehearsal::NaiveHands::Pointer::mouse};
     who.mission = plan_.mission;
+    who.decorate = true;
     rehearsal::ScriptedVisitor visitor(*kiosk_, who, nullptr);
     while (!visitor.done()) {
       // A save takes its own time, however fast the visitor is.
