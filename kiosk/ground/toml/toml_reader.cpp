@@ -166,9 +166,13 @@ void TomlReader::Table::finish() {
 }
 
 std::string TomlReader::Table::Impl::right_name(const std::string& wrong) const {
-  if (const std::string near = nearest_name(wrong, asked); !near.empty()) {
-    return "Did you mean " + near + "?";
-  }
+  // First among those that the table lacks: a key that is there is hardly meant again.
+  std::vector<std::string> lacking;
+  for (const std::string& key : asked)
+    if (node == nullptr || !node->contains(key)) lacking.push_back(key);
+  for (const std::vector<std::string>& names : {lacking, asked})
+    if (const std::string near = nearest_name(wrong, names); !near.empty())
+      return "Did you mean " + near + "?";
   // The key may belong to another table, for example after it slipped under a wrong [table].
   for (const auto& [other_path, other] : file->tables) {
     if (other.get() == this) continue;
