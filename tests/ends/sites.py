@@ -287,6 +287,7 @@ def write_way(site, case):
             values[f"{key}.{case.language}"] = own[key][1] if key in own else json.dumps(words)
             if key in own:
                 of[f"{key}.{case.language}"] = own[key][0]
+            values.setdefault(f"{key}.en", json.dumps(words))
         tables.append((header, values))
         edits.append(of)
 

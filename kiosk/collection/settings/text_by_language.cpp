@@ -18,9 +18,11 @@ std::map<std::string, std::string> read_by_language(toml::TomlReader::Table& ent
       entry.complain(
           words.present() ? key : "", "There is no " + key + " in the language \"" + code + "\".",
           "Write " + key + " = { " + code + " = \"...\" }, one entry for each language.");
-  if (languages.empty() && !words.present())
-    entry.complain("", "There is no " + key + ".",
-                   "Write " + key + " = { en = \"...\" }, one entry for each language.");
+  if (languages.empty() && !words.has("en"))
+    entry.complain(words.present() ? key : "", "There is no " + key + " in English.",
+                   "Write " + key +
+                       " = { en = \"...\" }, one entry for each language. English is shown where a "
+                       "language lacks it.");
   words.finish();
   return out;
 }

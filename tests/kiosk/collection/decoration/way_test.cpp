@@ -11,10 +11,10 @@ namespace {
 
 const std::vector<std::string> kLanguages{"en", "ko", "es", "fr", "de", "ja", "zh", "ar"};
 
-WayRead read(const std::string& text) {
+WayRead read(const std::string& text, const std::vector<std::string>& languages = {"en"}) {
   const std::string file = testing::TempDir() + "trial.toml";
   std::ofstream(file) << text;
-  return read_way(file, {"en"});
+  return read_way(file, languages);
 }
 
 constexpr const char* kHead =
@@ -65,6 +65,15 @@ TEST(Way, AToolMayNameTheStateThatItsClayMustBeIn) {
   EXPECT_EQ(found.way.tools[0].state, WayTool::leather);
   EXPECT_EQ(found.way.tools[1].state, WayTool::fired);
   EXPECT_FALSE(found.way.tools[2].state);
+}
+
+TEST(Way, InAnExhibitATextNeedsEnglishWhichStandsInForALanguageThatLacksIt) {
+  std::string text = kHead + tool("id = \"a\"\nlaw = \"scrape\"\nhand = \"ring\"\n");
+  ASSERT_TRUE(read(text, {}).problems.empty());
+  text.replace(text.find("how = { en"), 10, "how = { fr");
+  const WayRead found = read(text, {});
+  ASSERT_EQ(found.problems.size(), 1u);
+  EXPECT_EQ(found.problems[0].what, "There is no how in English.");
 }
 
 TEST(Way, EachFaultHasItsLineAndARemedy) {
