@@ -31,7 +31,6 @@ constexpr int kSlices = 24;       // of a dip that rises
 constexpr int kTilesAFrame = 40;  // some 7 ms
 constexpr int kMost = 1 << 20;
 constexpr std::int64_t kMeltAFrame = 500'000;  // cells, some 6 ms; a tall pot needs 65 frames
-constexpr double kKilnCoat = 4e-4;             // m of raw glaze: a coat of 1 in the picture
 
 constexpr double kNarrow = 0.008;  // m to either side of a ring: of a wiped one only its bare part
 
@@ -124,7 +123,7 @@ surface::Tool DecoratedPot::law() const {
 }
 
 void DecoratedPot::apply(surface::Stroke stroke, int repeats) {
-  cool();
+  firing_.cool(picture_);
   tell_age(stroke);
   auto all = surface::repeated(stroke, repeats);
   if (!all) return;
@@ -391,13 +390,11 @@ void DecoratedPot::update(double dt, bool hurry) {
   }
   speed_ = dt > 0.0 ? gone_ / dt : 0.0;
   gone_ = 0.0;
-  if (melt_ && !melt_->done() && melt_->go_on(kMeltAFrame)) show_fire();
+  if (firing_.go_on(kMeltAFrame)) show_fire();
   drawn_ = !picture_.draw(surface_, kTilesAFrame);
 }
 
-bool DecoratedPot::settled() const {
-  return drawn_ && !pressed() && !busy() && !(fired_ && melt_ && !melt_->done());
-}
+bool DecoratedPot::settled() const { return drawn_ && !pressed() && !busy() && !firing_.melts(); }
 
 void DecoratedPot::end_work() {
   for (; busy(); waiting_.pop_front()) apply(std::move(waiting_.front()), 1);
@@ -406,48 +403,34 @@ void DecoratedPot::end_work() {
 void DecoratedPot::finish() {
   lift();
   end_work();
-  if (fired_) {
+  if (firing_.fired()) {
     heat();
-    while (melt_ && !melt_->go_on(kMost)) {
-    }
+    firing_.end();
     show_fire();
   }
   drawn_ = !picture_.draw(surface_, kMost);
 }
 
-bool DecoratedPot::used(bool (*one)(const surface::Tool&)) const {
-  return std::ranges::any_of(steps_, [&](const Step& step) { return one(tool_at(step.tool).law); });
+Firing::Pot DecoratedPot::for_the_fire() const {
+  Firing::Pot pot;
+  for (const Step& step : steps_) {
+    const surface::Tool& law = tool_at(step.tool).law;
+    const auto* dip = std::get_if<surface::DipDef>(&law);
+    pot.polished = pot.polished || std::holds_alternative<surface::BurnishDef>(law);
+    pot.glazed = pot.glazed || (dip != nullptr && dip->coat == surface::DipDef::kGlaze);
+  }
+  return pot;
 }
 
-void DecoratedPot::heat() {
-  if (melt_) return;
-  surface::MeltDef def;
-  // Polish is seen on bare clay only: such a pot is left as it is.
-  const bool polished = used(
-      [](const surface::Tool& tool) { return std::holds_alternative<surface::BurnishDef>(tool); });
-  if (!polished) def.even = kKilnCoat;
-  if (auto melt = surface::Melt::begin(surface_, def)) melt_.emplace(std::move(*melt));
-}
+void DecoratedPot::heat() { firing_.heat(surface_, for_the_fire()); }
 
 void DecoratedPot::fire(bool fired, bool glassy) {
-  fired_ = fired;
-  glassy_ = glassy;
+  firing_.set(fired, glassy);
   show_fire();
 }
 
-void DecoratedPot::cool() {
-  if (!melt_) return;
-  picture_.fire(fired_);
-  melt_.reset();
-}
-
 void DecoratedPot::show_fire() {
-  const bool glazes = glassy_ || used([](const surface::Tool& tool) {
-                        const auto* dip = std::get_if<surface::DipDef>(&tool);
-                        return dip != nullptr && dip->coat == surface::DipDef::kGlaze;
-                      });
-  const bool molten = fired_ && glazes && melt_ && melt_->done() && melt_->glazed();
-  picture_.fire(fired_, molten ? &*melt_ : nullptr);
+  firing_.show(picture_, for_the_fire());
   drawn_ = false;
 }
 
@@ -460,7 +443,7 @@ void DecoratedPot::begin_example() {
 
 void DecoratedPot::end_example() {
   if (!saved_) return;
-  cool();
+  firing_.cool(picture_);
   waiting_.clear();
   tracer_.reset();
   last_.reset();
@@ -482,7 +465,7 @@ void DecoratedPot::undo() {
 }
 
 void DecoratedPot::take_back() {
-  cool();
+  firing_.cool(picture_);
   surface_.undo();
   touch(steps_.back().parts);
   steps_.pop_back();

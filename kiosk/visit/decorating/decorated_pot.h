@@ -8,9 +8,9 @@
 
 #include "engine/base/result.h"
 #include "engine/surface/laws.h"
-#include "engine/surface/melt.h"
 #include "kiosk/collection/decoration/coat_picture.h"
 #include "kiosk/collection/decoration/way.h"
+#include "kiosk/visit/decorating/firing.h"
 #include "kiosk/visit/decorating/touched_part.h"
 #include "kiosk/visit/decorating/touched_place.h"
 #include "kiosk/visit/decorating/zones.h"
@@ -148,8 +148,7 @@ class DecoratedPot {
   double ring_at(double along) const;
   void close_ring();
   void cover_all();
-  bool used(bool (*one)(const surface::Tool&)) const;
-  void cool();
+  Firing::Pot for_the_fire() const;
   void show_fire();
   void from_up(const Place& at);
   double end_of_outline() const;
@@ -174,8 +173,7 @@ class DecoratedPot {
   double clock_ = 0.0;                 ///< Of update(), s.
   double laid_ = -1e4, under_ = -1e4;  ///< When slip was laid last, and before this step.
   bool open_ = false;                  ///< Wider than high: visitors look into it.
-  std::optional<surface::Melt> melt_;  ///< Of the surface as it is.
-  bool fired_ = false, glassy_ = true;
+  Firing firing_;
   bool drawn_ = false;          ///< All of the picture, by the last update.
   std::optional<Saved> saved_;  ///< While an example is shown.
 };

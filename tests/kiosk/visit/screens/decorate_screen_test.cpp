@@ -400,7 +400,8 @@ TEST(DecorateScreen, NothingOfAnyWayIsCutAtAnySize) {
       v.show();
       v.touch("result.keep");
       v.frames(1.0);
-      walk_decorating(v, [&](const std::string& name) { check_layout(v, v.plain, name); });
+      walk_decorating(
+          v, [&](const std::string& name) { check_layout(v, v.plain, name); }, v.way->tools.size());
     }
 }
 

@@ -312,13 +312,14 @@ void Visitor::offer(const std::string& way_id) {
   for (ShelfCard& card : shelf) card.wheel.way = way_id.empty() ? nullptr : way.get();
 }
 
-void walk_decorating(Visitor& v, const std::function<void(const std::string&)>& look) {
+void walk_decorating(Visitor& v, const std::function<void(const std::string&)>& look,
+                     std::size_t marks) {
   for (std::size_t n = 0; n < v.way->tools.size(); ++n) {
     const decorating::DecoratedPot* pot = v.visit->decorated_pot();
     if (pot != nullptr && v.way->tools[n].more != pot->held().more) v.touch("decorate.more");
     v.touch("decorate.tool." + std::to_string(n));
     look("decorate " + v.way->id + " " + v.way->tools[n].id);
-    v.touch("decorate.mark");
+    if (n < marks) v.touch("decorate.mark");
   }
 }
 
@@ -403,7 +404,7 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
     settled("result decorates");
     v.touch("result.keep");
     with_help("decorate");
-    walk_decorating(v, settled);
+    walk_decorating(v, settled, 1);
     v.touch("decorate.on");
     v.offer("");
   } else {

@@ -138,8 +138,10 @@ class Visitor {
 /// the label, help, the warning, the fault, a kept and a failed postcard. `look` gets its name.
 void walk(Visitor& visitor, const std::function<void(const std::string&)>& look);
 
-/// On the screen where a pot is decorated: takes each tool, and touches the pot with it.
-void walk_decorating(Visitor& visitor, const std::function<void(const std::string&)>& look);
+/// On the screen where a pot is decorated: takes each tool, and touches the pot with the first
+/// `marks` of them.
+void walk_decorating(Visitor& visitor, const std::function<void(const std::string&)>& look,
+                     std::size_t marks);
 
 /// All words of a frame, one after the other.
 std::string words_in(const view::Frame& frame);
