@@ -12,7 +12,7 @@ import os
 import subprocess
 import sys
 
-from matrix import ROOT, build, verdict
+from matrix import ROOT, TELLING, build, folder, verdict
 
 GRID = ["400", "360"]
 
@@ -22,8 +22,9 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default=os.path.join(ROOT, "build/determinism"))
     arguments = parser.parse_args()
-    whole = build("g++", "-O3", os.path.join(arguments.build, "gxx-O3"), target="tick_count")
-    without = build("g++", "-O3 -DONGGI_WITHOUT_EFFECTS",
+    compiler, level = TELLING[0]  # matrix.py has compiled its engine already
+    whole = build(compiler, level, os.path.join(arguments.build, folder(compiler, level)), target="tick_count")
+    without = build(compiler, f"{level} -DONGGI_WITHOUT_EFFECTS",
                     os.path.join(arguments.build, "without_effects"), target="tick_count")
     if not whole or not without:
         return 1
