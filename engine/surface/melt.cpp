@@ -24,7 +24,6 @@ namespace {
 constexpr int kBlocks = kSectors / kLanes;
 constexpr double kCell = kRowHeight * 1e-6;  // m
 constexpr double kMostLevels = 0.004;        // m, of a melt of 1 mm that runs for hours
-constexpr int kThinnest = 8;                 // of the mean: thinner glaze hardly flows
 constexpr int kMostMelted = 65535;           // units: 16 mm
 constexpr int kChord = 4;                    // rows: a wet finger rounds each edge by a millimetre
 
@@ -104,7 +103,7 @@ void Melt::weigh_up() {
   if (even_ > 0) volume_ = lies_;
   if (glazed_cells_ == 0) return;
   const double mean = 1e-9 * static_cast<double>(lies_) / static_cast<double>(glazed_area_);
-  thinnest_ = static_cast<int>(mean * 1e9) / kUnit / kThinnest;
+  mean_ = static_cast<float>(mean * 1e9 / kUnit);
   const double h = mean * 1e-3 * shrinks_;
   const double fourth = def_.seconds * def_.tension * h * h * h / (3.0 * def_.viscosity);
   levels_ = std::min(std::sqrt(std::sqrt(fourth)), kMostLevels);
@@ -239,25 +238,31 @@ void Melt::level_columns(int block, int way) {
       height_[place(j, lane)] = values[static_cast<std::size_t>(j * kLanes + lane)];
 }
 
-/// Units under the levelled top, of which a film stays everywhere.
+/// Units under the levelled top. The law takes each place for as thick as the mean. A thinner one
+/// flows by the third power of its thickness, dh/dt ~ -(h / mean)^3, so that a crest that the law
+/// would leave bare, or under nothing, keeps a film.
 int Melt::wanted(int j, int i) const {
   const float edge = static_cast<float>(edges_[static_cast<std::size_t>(j)]);
   const float um = height_[cell(j, i)] + edge - base(j, i);
-  const float units = std::floor(um * (1e6f / static_cast<float>(kUnit * shrinks_)) + 0.5f);
-  const int film = std::min(raw(j, i) * (kGlazeUnit / kUnit), thinnest_);
-  return static_cast<int>(std::clamp(units, static_cast<float>(film), 1.0f * kMostMelted));
+  float units = um * (1e6f / static_cast<float>(kUnit * shrinks_));
+  const float from = std::min(static_cast<float>(raw(j, i) * (kGlazeUnit / kUnit)), mean_);
+  if (units < from) {
+    const float thin = from / mean_;
+    units = from / std::sqrt(1.0f + 2.0f * thin * thin * (from - units) / mean_);
+  }
+  return static_cast<int>(std::min(std::floor(units + 0.5f), 1.0f * kMostMelted));
 }
 
-/// Lays what is wanted and the share of what that lacks of the volume, and carries what rounding
-/// leaves over from cell to cell.
+/// Lays what is wanted, by as much more or less everywhere as makes it the volume, and carries what
+/// rounding leaves over from cell to cell.
 void Melt::lay_row(int j) {
   const Volume area = surface_->row(j).area;
-  const auto share = static_cast<Volume>(std::floor(lacks_ * static_cast<double>(area) + 0.5));
   for (int i = 0; i < kSectors; ++i) {
     const std::size_t at = cell(j, i);
     if (melted_[at] == 0) continue;
-    const Volume want = std::int64_t{wanted(j, i)} * kUnit * area + share + rest_;
     const Volume unit = kUnit * area;
+    const double all = share_ * wanted(j, i) * static_cast<double>(unit);
+    const Volume want = static_cast<Volume>(std::floor(all + 0.5)) + rest_;
     const Volume units = std::clamp<Volume>(floor_div(want + unit / 2, unit), 0, kMostMelted);
     rest_ = want - units * unit;
     melted_[at] = static_cast<std::uint16_t>(units);
@@ -290,7 +295,7 @@ std::int64_t Melt::work(int n) {
 void Melt::next_stage() {
   if (stage_ == Stage::fill) weigh_up();
   if (stage_ == Stage::count) {
-    lacks_ = static_cast<double>(volume_ - laid_) / static_cast<double>(glazed_area_);
+    share_ = laid_ > 0 ? static_cast<double>(volume_) / static_cast<double>(laid_) : 0.0;
     laid_ = 0;
   }
   stage_ = static_cast<Stage>(static_cast<int>(stage_) + 1);

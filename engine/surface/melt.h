@@ -30,11 +30,12 @@ struct MeltDef {
 ///   exp(-(k / kc)^4),   kc^-4 = seconds * tension * h^3 / (3 * viscosity)
 ///
 /// of it, where h is the mean thickness of the melt. The body's own curvature is part of the
-/// height, so glaze is thin on edges and thick in corners. Bare places stay bare. Three ways
-/// through each cell, round, along and twice across, each a sum over its neighbours, make the law
-/// the same in every direction. No time steps. No glaze is lost: its volume is the raw one's to
-/// the last unit. Same bits on every machine. Holds 19 MB of a tall pot while it works, 6 MB then.
-/// Allocates; not safe across threads.
+/// height, so glaze is thin on edges and thick in corners. What is thinner than the mean flows by
+/// the third power of its own thickness, and never leaves a place bare. Bare places stay bare.
+/// Three ways through each cell, round, along and twice across, each a sum over its neighbours,
+/// make the law the same in every direction. No time steps. No glaze is lost: its volume is the raw
+/// one's to the last unit. Same bits on every machine. Holds 19 MB of a tall pot while it works, 6
+/// MB then. Allocates; not safe across threads.
 class Melt {
  public:
   static constexpr int kUnit = 250;  ///< nm of raw glaze.
@@ -82,14 +83,14 @@ class Melt {
 
   const Surface* surface_;
   MeltDef def_;
-  int shrinks_ = 0;   ///< Thousandths.
-  int even_ = 0;      ///< Units of kGlazeUnit on each cell without resist; 0: as it was laid.
-  int thinnest_ = 0;  ///< A film of so many kUnit hardly flows.
+  int shrinks_ = 0;    ///< Thousandths.
+  int even_ = 0;       ///< Units of kGlazeUnit on each cell without resist; 0: as it was laid.
+  float mean_ = 0.0f;  ///< Thickness, kUnit.
   double levels_ = 0.0;
   std::int64_t glazed_cells_ = 0;
   Volume glazed_area_ = 0;  ///< um^2.
   Volume volume_ = 0, lies_ = 0, rest_ = 0;
-  double lacks_ = 0.0;  ///< Of each cell after the levelling, nm of raw glaze.
+  double share_ = 0.0;  ///< Of what each place wants, so that all together is the volume.
   Volume laid_ = 0;
   Stage stage_ = Stage::fill;
   int next_ = 0;                       ///< Row or block of the stage.
