@@ -207,7 +207,8 @@ Surface of_clay(float wet, float groove, float fleck) {
 // clean.
 Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip, float wiped) {
   float coat = g.band_at.z, pooling = g.lie.z;
-  float thick = 0.62 + pooling * groove + 0.3 * pooling * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
+  // It draws back from a ridge, and keeps a film there.
+  float thick = 0.62 + max(pooling * groove, -0.25) + 0.3 * pooling * (1.0 - t) - 0.5 * lip + 0.12 * fleck;
   if (PART >= 2) thick += 0.33 * pooling * (1.0 - t);
 #ifdef DECORATED
   // It melts level, so it is thicker by what was cut away: 0.4 mm is 1, as of a glaze of its own.
