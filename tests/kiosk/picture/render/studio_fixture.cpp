@@ -65,9 +65,11 @@ class OwnDisplay {
   pid_t server_ = -1;
 };
 
+/// Opened by the first test that draws: a server and its OpenGL take a second, and most do not.
 class World : public ::testing::Environment {
  public:
-  void SetUp() override {
+  void open() {
+    if (display_) return;
     display_ = std::make_unique<OwnDisplay>();
     if (getenv("DISPLAY") == nullptr) return;
     const WindowOptions options{
@@ -99,6 +101,7 @@ World* const world = static_cast<World*>(::testing::AddGlobalTestEnvironment(new
 }  // namespace
 
 void StudioTest::SetUp() {
+  world->open();
   if (world->renderer == nullptr) GTEST_SKIP() << "no display, and Xvfb is not installed";
 }
 

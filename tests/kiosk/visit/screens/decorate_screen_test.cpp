@@ -402,6 +402,9 @@ TEST(DecorateScreen, NothingOfAnyWayIsCutAtAnySize) {
       v.frames(1.0);
       walk_decorating(
           v, [&](const std::string& name) { check_layout(v, v.plain, name); }, v.way->tools.size());
+      v.touch("decorate.on");
+      v.frames(1.0);
+      check_layout(v, v.plain, "kiln after " + v.way->id);
     }
 }
 

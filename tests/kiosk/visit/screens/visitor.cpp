@@ -404,7 +404,7 @@ void walk(Visitor& v, const std::function<void(const std::string&)>& look) {
     settled("result decorates");
     v.touch("result.keep");
     with_help("decorate");
-    walk_decorating(v, settled, 1);
+    walk_decorating(v, settled, 0);
     v.touch("decorate.on");
     v.offer("");
   } else {
