@@ -198,6 +198,7 @@ void CoatTexture::set(const Program& program, float pixel, int unit) const {
   program.set("floor_ends", static_cast<float>(surface::kLeastRadius));
   program.set("own_glaze", glazed_ ? 1.0f : 0.0f);
   program.set("molten", melted_ ? 1.0f : 0.0f);
+  program.set("coat_places", fine_ ? 4.0f : 1.0f);
   const float cell = 1e-6f * surface::kRowHeight;
   program.set("coat_level", std::clamp(std::round(std::log2(pixel / cell)), 0.0f,
                                        static_cast<float>(kLevels - 1)));

@@ -163,6 +163,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
   if (shown) {
     // The edges of a tear lie inside triangles, where only alpha can smooth them.
     const bool soft = clay_.tears().any() && quality.samples > 0;
+    coat_.draw_fine(quality.samples > 0);
     if (soft) soft_edges_.begin();
     draw_clay(pot, clip, pixel, soft, quality.samples > 0);
     if (soft) soft_edges_.end();

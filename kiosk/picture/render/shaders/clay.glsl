@@ -354,8 +354,7 @@ void main() {
 #else
   vec2 at = vec2(u, row_on_floor(rho, inner_at(u, 0.0)));
 #endif
-  painted = textureLod(paint, at, coat_level);
-  shaped = textureLod(form, at, coat_level);
+  read_coat(at);
 #ifndef READ
 #if SKIN >= 2
   // Glass runs level over it; a melt's own slopes are known.

@@ -7,10 +7,37 @@ uniform sampler2D coat_rows;  // by share of the height: row of the outer and of
 uniform vec2 floor_rows;      // of the floor, from the wall to where it ends,
 uniform float floor_ends;     // metres from the axis
 uniform float coat_level;     // of the textures
+uniform float coat_places;    // read at most for a pixel
 uniform float own_glaze;      // 1: the glaze that was laid on it melts, 0: the kiln's, all over
 uniform float molten;         // 1: slopes and glaze are those of the melt
 
 vec4 painted, shaped;  // of paint and form, here
+
+// Where the wall turns away, a pixel is much longer than wide on the picture: up to coat_places of
+// it are read, of a coarser level where it is longer still. Drivers without a GPU have no filter
+// for it. A loop, for llvmpipe leaves one early.
+void read_coat(vec2 at) {
+#ifdef READ
+  painted = textureLod(paint, at, coat_level);
+  shaped = textureLod(form, at, coat_level);
+#else
+  vec2 size = vec2(textureSize(paint, int(coat_level)));
+  vec2 across = dFdx(at) * size, down = dFdy(at) * size;
+  vec2 way = dot(across, across) > dot(down, down) ? across : down;
+  float texels = length(way);
+  float places = clamp(floor(texels + 0.4), 1.0, coat_places);
+  float level = coat_level + (texels > 6.0 && places > 1.0 ? 1.0 : 0.0);
+  // The picture's seam is no long pixel.
+  vec2 apart = min(texels, 32.0) / max(texels, 1e-6) * way / (size * places);
+  vec2 place = at - 0.5 * (places - 1.0) * apart;
+  painted = shaped = vec4(0.0);
+  for (float n = 0.0; n < places; n += 1.0, place += apart) {
+    painted += textureLod(paint, place, level);
+    shaped += textureLod(form, place, level);
+  }
+  painted /= places, shaped /= places;
+#endif
+}
 
 vec2 rows_of(float t) {
   float n = float(textureSize(coat_rows, 0).x);

@@ -77,6 +77,29 @@ TEST_F(Decorated, ABandIsWhiteAtItsHeightAndClayElsewhere) {
   }
 }
 
+TEST_F(Decorated, StripesThatArePackedAtTheSideAreGreyThereAndNotDots) {
+  DecoratedJar pot(kTall, 0.0);
+  constexpr int kStripes = 240;
+  for (int n = 0; n < kStripes / 12; ++n)
+    pot.lay(pot.way(brush_of(0, 0.0009),
+                    {{pot.along(0.35), 1.0 * n / kStripes}, {pot.along(0.65), 1.0 * n / kStripes}}),
+            12);
+  const view::Frame frame = frame_of(view::Finish::clay);
+  const view::Image with = show(pot, frame, false), without = bare(pot, frame);
+  // Where a stripe and its gap together are less than a pixel wide.
+  double mean = 0.0, square = 0.0;
+  int places = 0;
+  for (double share = 0.45; share < 0.55; share += 0.01)
+    for (double turns = kFront + 0.214; turns < kFront + 0.225; turns += 0.001) {
+      const double whiter =
+          seen(with, frame, pot, share, turns).b - seen(without, frame, pot, share, turns).b;
+      mean += whiter, square += whiter * whiter, ++places;
+    }
+  mean /= places;
+  EXPECT_GT(mean, 15.0);
+  EXPECT_LT(std::sqrt(square / places - mean * mean), 0.25 * mean);
+}
+
 TEST_F(Decorated, WhatIsPaintedTurnsWithTheClay) {
   DecoratedJar pot(kTall, 0.0);
   pot.lay(pot.area(0, 0.5, 0.1, {{-5, -5}, {-5, 5}, {5, 5}, {5, -5}}));
