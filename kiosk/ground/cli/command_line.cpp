@@ -8,6 +8,8 @@
 #include <exception>
 #include <iostream>
 #include <limits>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -157,6 +159,34 @@ int run(const Command& command, bool force) {
   return code ? *code : told(code.error());
 }
 
+/// An option that stands before the command's name, which `chosen` would not see.
+std::optional<Problem> too_early(const CLI::App& app, const Command& command, const Command& chosen,
+                                 const std::string& path) {
+  const auto below = app.get_subcommands();
+  if (below.empty()) return {};
+  const auto next = std::ranges::find(command.commands, below.front()->get_name(), &Command::name);
+  if (const auto deeper = too_early(*below.front(), *next, chosen, path)) return deeper;
+  for (const Option& option : command.options) {
+    const CLI::Option* given = app.get_option(option.name);
+    if (given->count() == 0) continue;
+    const bool flag = std::holds_alternative<bool*>(option.field);
+    const std::string words =
+        terminal::plain(given->get_name() + (flag ? "" : " " + given->results().back()));
+    const bool known = std::ranges::any_of(
+        chosen.options, [&option](const Option& other) { return other.name == option.name; });
+    return Problem{words, "It stands before the command " + next->name + ", which does not see it.",
+                   known ? "Write it behind: " + path + " " + words
+                         : "Leave it out: " + path + " has no " + given->get_name() + "."};
+  }
+  return {};
+}
+
+/// The words that chose `app`'s innermost command: "onggi vessel make".
+std::string path_of(const CLI::App& app) {
+  const auto below = app.get_subcommands();
+  return app.get_name() + (below.empty() ? "" : " " + path_of(*below.front()));
+}
+
 int run_words(const Command& program, const std::string& version, int argc,
               const char* const* argv) {
   CLI::App app{program.help, program.name};
@@ -174,6 +204,7 @@ int run_words(const Command& program, const std::string& version, int argc,
   describe(app, program, chosen, force);
   try {
     app.parse(argc, argv);
+    if (const auto early = too_early(app, program, *chosen, path_of(app))) return told(*early);
     return run(*chosen, force);
   } catch (const CLI::Success& asked) {
     return app.exit(asked);

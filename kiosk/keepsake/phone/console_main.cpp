@@ -3,6 +3,7 @@
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kiosk/ground/files/files_read.h"
 #include "kiosk/ground/files/output.h"
@@ -28,6 +29,7 @@ struct Arguments {
   std::string keepsakes, listen = "127.0.0.1:8080", pass, hours = "24", languages, stl,
                          to = "pot.stl";
   bool phone_only = false, help = false;
+  std::vector<std::string_view> given;  // options, without --help
 };
 
 onggi::Result<Arguments> read(int count, char** values) {
@@ -40,6 +42,7 @@ onggi::Result<Arguments> read(int count, char** values) {
     }
     if (name == "--phone-only") {
       a.phone_only = true;
+      a.given.push_back(name);
       continue;
     }
     std::string* field = name == "--keepsakes"   ? &a.keepsakes
@@ -55,6 +58,7 @@ onggi::Result<Arguments> read(int count, char** values) {
           std::string(name),
           field == nullptr ? "This option does not exist." : "This option needs a value.",
           "See onggi-console --help.");
+    a.given.push_back(name);
     *field = values[++n];
     // Most often a shell's unset variable.
     if (field->empty())
@@ -62,6 +66,26 @@ onggi::Result<Arguments> read(int count, char** values) {
                             "Name something, or leave the option out.");
   }
   return a;
+}
+
+/// Exactly one action, and no option that it does not see.
+onggi::Result<void> fitting(const Arguments& a) {
+  const std::string_view action = !a.pass.empty()  ? "--pass"
+                                  : !a.stl.empty() ? "--stl"
+                                  : a.phone_only   ? "--phone-only"
+                                                   : "";
+  if (action.empty())
+    return onggi::problem("onggi-console", "The action is missing.", "Use --phone-only.");
+  for (const std::string_view name : a.given) {
+    const std::string_view of = name == "--hours"                     ? "--pass"
+                                : name == "--to"                      ? "--stl"
+                                : name == "--pass" || name == "--stl" ? name
+                                                                      : "--phone-only";
+    if (of != action)
+      return onggi::problem(std::string(name), "It has no effect with " + std::string(action) + ".",
+                            "Leave out one of the two: see onggi-console --help.");
+  }
+  return {};
 }
 
 onggi::Result<int> give(const Arguments& a) {
@@ -144,13 +168,13 @@ int main(int count, char** values) {
   else if (arguments->help || count == 1)
     std::cout << kHelp;
   else if (!arguments->pass.empty())
+  else if (const auto good = fitting(*arguments); !good)
+    done = tl::unexpected(good.error());
     done = give(*arguments);
   else if (!arguments->stl.empty())
     done = print(*arguments);
-  else if (arguments->phone_only)
-    done = serve(*arguments);
   else
-    done = onggi::problem("onggi-console", "The action is missing.", "Use --phone-only.");
+    done = serve(*arguments);
   if (const auto printed = onggi::files::all_printed(); done && !printed)
     done = tl::unexpected(printed.error());
   if (done) return *done;

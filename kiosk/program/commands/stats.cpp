@@ -109,7 +109,10 @@ cli::Command stats_command() {
                   {"--json", &a->json, "Write everything as JSON (- for standard output)"},
                   {"--plot", &a->plot,
                    "Draw visits per day or month, as PNG or SVG (- for standard output)"},
-                  {"--store", &a->store, "Use this store instead of the exhibit's"},
+                  {.name = "--store",
+                   .field = &a->store,
+                   .help = "Use this store instead of the exhibit's",
+                   .excludes = "--config"},
                   {"--config", &a->config, "The exhibit's TOML [config/exhibit.toml]"}},
       .run = [a] { return stats(*a); }};
 }

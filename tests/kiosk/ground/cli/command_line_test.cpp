@@ -65,6 +65,7 @@ class CommandLine : public ::testing::Test {
                     .commands = {{.name = "sponge",
                                   .help = "Wets.",
                                   .examples = "Example: wheel tool sponge",
+                                  .options = {{"--json", &json_, "A report"}},
                                   .run = [this] { return ran("sponge"); }}}}},
       .run = [this] { return ran("wheel"); }};
 };
@@ -112,6 +113,31 @@ TEST_F(CommandLine, what_is_wrong_is_the_inputs_fault_and_nothing_runs) {
     EXPECT_NE(said_.find("See wheel --help"), std::string::npos) << said_;
     EXPECT_EQ(ran_, "");
   }
+}
+
+TEST_F(CommandLine, an_option_before_the_command_is_told_with_the_words_that_work) {
+  // As onggi itself has the options of onggi run.
+  program_.options = {{"--speed", &speed_, "Turns a minute"},
+                      {"--calm", &left_, "Calmly"},
+                      {"--json", &json_, "A report"}};
+  for (const auto& [words, told] : std::vector<std::pair<std::vector<const char*>, const char*>>{
+           {{"--speed", "90", "turn", "jar"},
+            "--speed 90: It stands before the command turn, which does not see it.\n"
+            "  Write it behind: wheel turn --speed 90\n"},
+           {{"--speed", "90", "turn", "jar", "--speed", "80"}, "wheel turn --speed 90"},
+           {{"--json", "a.json", "tool", "sponge"},
+            "--json a.json: It stands before the command tool, which does not see it.\n"
+            "  Write it behind: wheel tool sponge --json a.json\n"},
+           {{"--calm", "tool", "sponge"},
+            "--calm: It stands before the command tool, which does not see it.\n"
+            "  Leave it out: wheel tool sponge has no --calm.\n"}}) {
+    ran_.clear();
+    EXPECT_EQ(run(words), 2) << told;
+    EXPECT_NE(said_.find(told), std::string::npos) << said_;
+    EXPECT_EQ(ran_, "");
+  }
+  EXPECT_EQ(run({"--speed", "90", "--calm"}), 0) << said_;
+  EXPECT_EQ(ran_, "wheel");
 }
 
 TEST_F(CommandLine, no_message_repeats_a_control_character_or_a_number_of_hundreds_of_digits) {

@@ -28,6 +28,14 @@ class CommandLine(unittest.TestCase):
         self.assertIn("--print: This option does not exist.", self.said("--print", "x"))
         self.assertIn("The action is missing.", self.said("--to", "x.stl"))
 
+    def test_an_option_that_the_action_does_not_see_is_refused(self):
+        for action, wrong in ((("--pass", "x"), "--keepsakes"), (("--pass", "x"), "--to"), (("--pass", "x"), "--stl"),
+                              (("--stl", "x"), "--hours"), (("--stl", "x"), "--listen"),
+                              (("--phone-only", "--keepsakes", "x"), "--hours")):
+            self.assertIn(f"{wrong}: It has no effect with {action[0]}.\n",
+                          self.said(*action, wrong, "1"))
+        self.assertIn("--phone-only: It has no effect with --stl.", self.said("--phone-only", "--stl", "x"))
+
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()

@@ -39,7 +39,9 @@ TEST(Commands, TheVersionIsAWordAndANumber) {
 TEST(Commands, AWrongOptionIsTheInputsFault) {
   for (const char* wrong :
        {"--windw 1x1", "bogus", "visit", "run --window 10", "replay /nowhere", "check /nowhere",
-        "vessel inspect /nowhere", "score /nowhere /nowhere", "vessel make /nowhere.toml"}) {
+        "vessel inspect /nowhere", "score /nowhere /nowhere", "vessel make /nowhere.toml",
+        "--config config/exhibit.toml check", "--window 640x480 lab tune",
+        "stats --store a --config b", "lab stability --check a --json -"}) {
     const Outcome run = onggi(wrong);
     EXPECT_EQ(run.exit_code, 2) << wrong;
     EXPECT_FALSE(run.err.empty()) << wrong;
