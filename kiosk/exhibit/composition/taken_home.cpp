@@ -178,8 +178,9 @@ void TakingHome::make_painted(const ClayView& clay, const surface::Surface& surf
   ClayMesh body = faced_mesh_of(clay, kPrintedRows, kPrintedSectors);
   auto body_places = unrolled_->places_of(body);
   out.relief = [body = std::move(body), places = std::move(body_places), relief, size = size_,
-                title = words_.title] {
-    return souvenir::relief_file(relief_of(body, places, *relief, size, title));
+                title = words_.title](std::span<const std::byte> model) {
+    return souvenir::relief_file(relief_of(body, places, *relief, size, title),
+                                 souvenir::mark_of_model(model, model.size()));
   };
   taken.keepsake.painted = std::move(out);
 }

@@ -64,6 +64,13 @@ Answer Answers::nothing_here(const Ask& ask) const {
   return {.body = sentence_page(own != nullptr ? *own : languages_.all().front(), "nothing")};
 }
 
+// A phone asks for a file in parts, and again. After so many files the disk is the trouble, and the
+// log has told it.
+void Answers::tell_once(const Problem& remark) {
+  constexpr std::size_t kMostTold = 1000;
+  if (told_.size() < kMostTold && told_.insert(to_text(remark)).second) tell_(remark);
+}
+
 Answer Answers::to(const Ask& ask) {
   const std::string_view target = ask.target;
   const bool get = ask.method == "GET" || ask.method == "HEAD";
@@ -110,6 +117,7 @@ Answer Answers::to(const Ask& ask) {
     if (what != file.name) continue;
     auto opened = passes_.open_file(*pass, file.name);
     if (!opened) break;
+    if (opened->remark) tell_once(*opened->remark);
     return part_of(std::move(*opened), file, ask);
   }
   return nothing_here(ask);

@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
+#include "engine/base/result.h"
+#include "kiosk/ground/files/log.h"
 #include "kiosk/keepsake/phone/byte_range.h"
 #include "kiosk/keepsake/phone/phone_words.h"
 #include "kiosk/keepsake/souvenir/open_passes.h"
@@ -42,10 +45,14 @@ struct Answer {
 /// also with a wrong, expired or deleted token, get the same answer. Uses no socket. One thread.
 class Answers {
  public:
-  /// `clock` gives s since 1970.
+  /// `clock` gives s since 1970. `tell` gets what the staff should know of a file, once each.
   Answers(souvenir::OpenPasses passes, std::function<std::int64_t()> clock,
-          PhoneLanguages languages = {})
-      : passes_(std::move(passes)), clock_(std::move(clock)), languages_(std::move(languages)) {}
+          PhoneLanguages languages = {},
+          std::function<void(const Problem&)> tell = files::log_problem)
+      : passes_(std::move(passes)),
+        clock_(std::move(clock)),
+        languages_(std::move(languages)),
+        tell_(std::move(tell)) {}
 
   Answer to(const Ask& ask);
   /// Call it at least once a minute, and again while it returns true: records that the server runs,
@@ -58,10 +65,13 @@ class Answers {
 
  private:
   Answer nothing_here(const Ask& ask) const;
+  void tell_once(const Problem& remark);
 
   souvenir::OpenPasses passes_;
   std::function<std::int64_t()> clock_;
   PhoneLanguages languages_;
+  std::function<void(const Problem&)> tell_;
+  std::set<std::string> told_;  // by text
 };
 
 }  // namespace onggi::phone

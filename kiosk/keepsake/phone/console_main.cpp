@@ -11,7 +11,7 @@
 #include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/phone/server.h"
 #include "kiosk/keepsake/souvenir/pass.h"
-#include "kiosk/keepsake/souvenir/stl.h"
+#include "kiosk/keepsake/souvenir/printed_pot.h"
 
 namespace {
 
@@ -111,7 +111,8 @@ onggi::Result<int> print(const Arguments& a) {
   }
   const auto stl = onggi::souvenir::stl_of_visit(a.stl);
   if (!stl) return tl::unexpected(stl.error());
-  if (const auto written = to.write(*stl); !written) return tl::unexpected(written.error());
+  if (stl->remark) std::cerr << onggi::to_text(*stl->remark) << '\n';
+  if (const auto written = to.write(stl->bytes); !written) return tl::unexpected(written.error());
   if (!to.to_stdout()) std::cout << a.to << '\n';
   return 0;
 }
@@ -167,9 +168,9 @@ int main(int count, char** values) {
     done = tl::unexpected(arguments.error());
   else if (arguments->help || count == 1)
     std::cout << kHelp;
-  else if (!arguments->pass.empty())
   else if (const auto good = fitting(*arguments); !good)
     done = tl::unexpected(good.error());
+  else if (!arguments->pass.empty())
     done = give(*arguments);
   else if (!arguments->stl.empty())
     done = print(*arguments);

@@ -96,7 +96,7 @@ Result<KeepsakeFiles> save(const Keepsake& keepsake, const fs::path& folder,
     auto picture = encoded(painted.rollout, keepsake.caption);
     if (!picture) return tl::unexpected(picture.error());
     rollout = std::move(*picture);
-    relief = painted.relief();
+    relief = painted.relief(glb);
     auto drawn = encoded(painted.sheet(keepsake.spoken), keepsake.caption);
     if (!drawn) return tl::unexpected(drawn.error());
     sheet = std::move(*drawn);

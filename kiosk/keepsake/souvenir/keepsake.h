@@ -36,7 +36,8 @@ struct Painted {
   // Called on the worker thread, in this order.
   std::function<view::Image()> normals;  ///< Of its surface: where it faces.
   std::function<std::vector<std::byte>(Pictures pictures)> model;  ///< The GLB.
-  std::function<std::vector<std::byte>()> relief;  ///< What its STL is made of: relief_file().
+  /// What its STL is made of: relief_file() for that GLB.
+  std::function<std::vector<std::byte>(std::span<const std::byte> model)> relief;
   /// It drawn on a page; `spoken`: Keepsake's.
   std::function<view::Image(const std::string& spoken)> sheet;
 };

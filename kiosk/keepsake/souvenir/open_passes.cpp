@@ -16,6 +16,7 @@
 #include "kiosk/ground/files/read_file.h"
 #include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "kiosk/keepsake/souvenir/pass.h"
+#include "kiosk/keepsake/souvenir/printed_pot.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
 namespace fs = std::filesystem;
@@ -123,17 +124,20 @@ std::optional<Pass> OpenPasses::find(std::string_view token, std::int64_t now, W
 std::optional<KeepsakeFile> OpenPasses::open_file(const Pass& pass, const char* name) const {
   auto opened = files::open_beneath(keepsakes_, pass.visit + '/' + name);
   std::optional<StlOfPot> stl;
+  std::optional<Problem> remark;
   // An STL is made of the relief or the model as it is sent. Only old keepsakes have one.
   if (!opened && std::string_view(name) == kPotStl) {
-    opened = files::open_beneath(keepsakes_, pass.visit + '/' + kRelief);
-    if (!opened) opened = files::open_beneath(keepsakes_, pass.visit + '/' + kPotGlb);
-    if (opened) stl = StlOfPot::of(*opened);
-    if (!stl) return {};
+    auto pot = printed_pot(keepsakes_, pass.visit);
+    if (!pot) return {};
+    opened = std::move(pot->file);
+    stl = std::move(pot->stl);
+    remark = std::move(pot->remark);
   }
   if (!opened) return {};
   struct stat info {};
   if (::fstat(opened->get(), &info) != 0 || info.st_size < 0) return {};
-  KeepsakeFile found{std::move(*opened), static_cast<std::uint64_t>(info.st_size), {}, {}};
+  KeepsakeFile found{
+      std::move(*opened), static_cast<std::uint64_t>(info.st_size), {}, {}, std::move(remark)};
   if (found.size > kMostOfAKeepsake) return {};
   std::ostringstream which, tag;
   if (stl) {

@@ -25,6 +25,7 @@ struct KeepsakeFile {
   std::string tag;         ///< The same for the same bytes, another for others; 16 letters.
   /// `file` is the pot's relief or model, and its STL is what was asked for.
   std::optional<StlOfPot> stl;
+  std::optional<Problem> remark;  ///< Why the STL is made without the relief, for the staff.
 };
 
 /// The passes as the web process knows them (Passes has those who give them). The tokens are kept

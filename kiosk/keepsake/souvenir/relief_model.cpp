@@ -5,6 +5,7 @@
 #include <span>
 
 #include "kiosk/ground/files/byte_writer.h"
+#include "kiosk/ground/files/crc32.h"
 #include "kiosk/ground/files/zstandard.h"
 #include "kiosk/keepsake/souvenir/relief_stl.h"
 
@@ -38,6 +39,10 @@ void put_bits(files::ByteWriter& out, const std::vector<bool>& bits) {
   }
 }
 
+std::uint32_t sum_of(std::span<const std::byte> bytes, std::uint32_t before) {
+  return files::crc32({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, before);
+}
+
 std::uint16_t unit_share(float part) {
   return static_cast<std::uint16_t>(
       static_cast<std::int16_t>(std::lround(32767.0f * std::clamp(part, -1.0f, 1.0f))));
@@ -45,7 +50,15 @@ std::uint16_t unit_share(float part) {
 
 }  // namespace
 
-std::vector<std::byte> relief_file(const ReliefModel& model) {
+std::uint32_t mark_of_model(std::span<const std::byte> begin, std::uint64_t size) {
+  const auto sum = sum_of(begin.first(std::min(begin.size(), kMarked)), 0);
+  files::ByteWriter out;
+  out.u32(static_cast<std::uint32_t>(size));
+  out.u32(static_cast<std::uint32_t>(size >> 32));
+  return sum_of(out.bytes(), sum);
+}
+
+std::vector<std::byte> relief_file(const ReliefModel& model, std::uint32_t pot) {
   const auto count = model.rows.size();
   const auto blocks = static_cast<std::size_t>(model.blocks);
   const std::size_t corners = model.rows.front().body.size();
@@ -106,8 +119,11 @@ std::vector<std::byte> relief_file(const ReliefModel& model) {
   out.text(kReliefMagic);
   for (const std::uint32_t value :
        {kReliefVersion, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(blocks),
-        static_cast<std::uint32_t>(corners), static_cast<std::uint32_t>(packed.size())})
+        static_cast<std::uint32_t>(corners), static_cast<std::uint32_t>(packed.size()), pot})
     out.u32(value);
+  std::uint32_t sum = sum_of(packed, sum_of(out.bytes(), 0));
+  for (const auto& group : groups) sum = sum_of(group, sum);
+  out.u32(sum);
   out.append(packed);
   for (const auto& group : groups) out.append(group);
   return out.take();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,12 +39,20 @@ struct ReliefModel {
 
 /// `model` as the bytes of a file: an index, then groups of kGroup rows, each a Zstandard frame of
 /// its own, so that any part can be read without the rest. Heights between the corners of even
-/// blocks are left out. The same model gives the same bytes. Allocates; for a worker thread.
-std::vector<std::byte> relief_file(const ReliefModel& model);
+/// blocks are left out. `pot`: mark_of_model() of its GLB, which the file then belongs to. The same
+/// arguments give the same bytes. Allocates; for a worker thread.
+std::vector<std::byte> relief_file(const ReliefModel& model, std::uint32_t pot);
 
-/// What such a file begins with, and how many rows a group has.
+/// What tells a pot's GLB from another's: the CRC-32 of its first kMarked bytes, then of its size
+/// in 8 bytes. `begin`: those bytes, or all of them; `size`: of the whole, bytes.
+std::uint32_t mark_of_model(std::span<const std::byte> begin, std::uint64_t size);
+inline constexpr std::size_t kMarked = 65536;
+
+/// What such a file begins with, and how many rows a group has. After the magic stand seven numbers
+/// of 4 bytes: version, rows, blocks, corners, the index' bytes, the pot's mark, and the CRC-32 of
+/// all that stands before it and behind it.
 inline constexpr const char* kReliefMagic = "ONGGIREL";
-inline constexpr std::uint32_t kReliefVersion = 1;
+inline constexpr std::uint32_t kReliefVersion = 2;
 inline constexpr int kReliefGroup = 16;
 
 }  // namespace onggi::souvenir

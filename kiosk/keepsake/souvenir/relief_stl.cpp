@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "engine/math/portable.h"
+#include "kiosk/ground/files/crc32.h"
 #include "kiosk/ground/files/zstandard.h"
 #include "kiosk/keepsake/souvenir/relief_model.h"
 
@@ -16,7 +17,7 @@ namespace onggi::souvenir {
 namespace {
 
 constexpr std::size_t kPlaces = ReliefModel::kFine;
-constexpr std::size_t kReliefHead = 8 + 5 * 4;
+constexpr std::size_t kReliefSums = 8 + 5 * 4, kReliefHead = kReliefSums + 2 * 4;
 constexpr std::size_t kMostIndex = 1u << 20;
 constexpr std::uint64_t kMostReliefTriangles = 1u << 23;
 
@@ -63,6 +64,29 @@ class Numbers {
 };
 
 }  // namespace
+
+ReliefFit fit_of(const files::Descriptor& relief, const files::Descriptor& model) {
+  const auto size_of = [](const files::Descriptor& file) {
+    struct stat info {};
+    return ::fstat(file.get(), &info) == 0 ? static_cast<std::uint64_t>(info.st_size) : 0;
+  };
+  const std::uint64_t size = size_of(relief), pot = size_of(model);
+  if (size < kReliefHead || size > kMostRelief) return ReliefFit::damaged;
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  if (!bytes_at(relief, 0, bytes) || std::memcmp(bytes.data(), kReliefMagic, 8) != 0)
+    return ReliefFit::damaged;
+  const std::span<const std::byte> all(bytes);
+  Numbers sums(all.subspan(kReliefSums, 8));
+  const std::uint32_t mark = sums.take(4), sum = sums.take(4);
+  const auto crc = [](std::span<const std::byte> part, std::uint32_t before) {
+    return files::crc32({reinterpret_cast<const std::uint8_t*>(part.data()), part.size()}, before);
+  };
+  if (crc(all.subspan(kReliefHead), crc(all.first(kReliefHead - 4), 0)) != sum)
+    return ReliefFit::damaged;
+  std::vector<std::byte> begin(static_cast<std::size_t>(std::min<std::uint64_t>(pot, kMarked)));
+  if (!bytes_at(model, 0, begin) || mark_of_model(begin, pot) != mark) return ReliefFit::foreign;
+  return ReliefFit::good;
+}
 
 int triangles_of_block(bool lower, bool upper) {
   return lower && upper ? 2 * ReliefModel::kFine : lower || upper ? ReliefModel::kFine + 1 : 2;

@@ -16,6 +16,16 @@ namespace onggi::souvenir {
 /// 9 if one, 16 if both.
 int triangles_of_block(bool lower, bool upper);
 
+/// A relief's file beside a pot's model.
+enum class ReliefFit {
+  good,
+  damaged,  ///< A byte is not as relief_file() wrote it, or it has over kMostRelief of them.
+  foreign,  ///< It is whole, and of another pot.
+};
+inline constexpr std::uint64_t kMostRelief = 16u << 20;  ///< Bytes; a jar's are 0.1 MB.
+/// Reads all of `relief` and the beginning of `model`. Any thread.
+ReliefFit fit_of(const files::Descriptor& relief, const files::Descriptor& model);
+
 /// The triangles of a decorated pot with its relief, made of the file that relief_file() wrote when
 /// they are asked for. Millimetres, z up, outside facing outwards; closed: each edge has two
 /// triangles. Any span can be read without the rest. Any thread.

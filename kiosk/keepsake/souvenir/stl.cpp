@@ -1,6 +1,5 @@
 #include "kiosk/keepsake/souvenir/stl.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,7 +13,6 @@
 #include <utility>
 
 #include "kiosk/ground/files/byte_writer.h"
-#include "kiosk/keepsake/souvenir/visit_folder.h"
 
 namespace onggi::souvenir {
 namespace {
@@ -251,24 +249,6 @@ bool StlOfPot::read(const files::Descriptor& file, std::uint64_t from,
         }))
       return false;
   return true;
-}
-
-Result<std::vector<std::byte>> stl_of_visit(const std::filesystem::path& visit) {
-  const std::filesystem::path glb = visit / kPotGlb, relief = visit / kRelief;
-  // Neither a pipe nor a link: nobody waits for another program, and no other pot is read.
-  constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW;
-  files::Descriptor opened(::open(relief.c_str(), kFlags));
-  const bool has_relief = opened.open();
-  if (!has_relief) opened = files::Descriptor(::open(glb.c_str(), kFlags));
-  const auto stl = opened.open() ? StlOfPot::of(opened) : std::nullopt;
-  std::vector<std::byte> bytes(stl ? static_cast<std::size_t>(stl->size()) : 0);
-  if (stl && stl->read(opened, 0, bytes)) return bytes;
-  if (has_relief)
-    return problem(relief.string(), "This relief of a pot is damaged.",
-                   "Move it out of the folder: the STL is then made from " + std::string(kPotGlb) +
-                       ", without what was cut and laid on.");
-  return problem(glb.string(), "This is not the model of a kept pot.",
-                 "Name the folder of a visit that onggi kept.");
 }
 
 }  // namespace onggi::souvenir

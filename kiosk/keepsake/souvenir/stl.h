@@ -3,13 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "engine/base/result.h"
 #include "kiosk/ground/files/descriptor.h"
 #include "kiosk/keepsake/souvenir/relief_stl.h"
 
@@ -51,8 +49,5 @@ class StlOfPot {
   std::vector<Part> parts_;
   std::optional<ReliefStl> relief_;  ///< In place of a GLB.
 };
-
-/// The STL of the visit in the folder `visit`. Problem, exit 2: there is no pot of ours.
-Result<std::vector<std::byte>> stl_of_visit(const std::filesystem::path& visit);
 
 }  // namespace onggi::souvenir

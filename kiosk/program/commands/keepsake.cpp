@@ -16,7 +16,7 @@
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/read_file.h"
-#include "kiosk/keepsake/souvenir/stl.h"
+#include "kiosk/keepsake/souvenir/printed_pot.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "kiosk/program/commands/commands.h"
 
@@ -146,9 +146,11 @@ Result<int> copy(const KeepsakeArguments& arguments) {
   }
   const fs::path stl = to / souvenir::kPotStl;
   if (fs::exists(to / souvenir::kPotGlb, error) && !fs::exists(stl, error)) {
-    const auto bytes = souvenir::stl_of_visit(kept->folder / one->visit);
-    if (!bytes) return tl::unexpected(bytes.error());
-    if (auto made = files::write_durably(stl, *bytes); !made) return tl::unexpected(made.error());
+    const auto print = souvenir::stl_of_visit(kept->folder / one->visit);
+    if (!print) return tl::unexpected(print.error());
+    if (print->remark) std::cerr << to_text(*print->remark) << '\n';
+    if (auto made = files::write_durably(stl, print->bytes); !made)
+      return tl::unexpected(made.error());
   }
   std::cout << "Copied to " << terminal::plain(to.string()) << '\n';
   return 0;

@@ -58,9 +58,10 @@ struct Cup {
   std::vector<StlFace> printed(double size = 1.0) const {
     const UnrolledPot unrolled(made, coat);
     const ClayMesh body = faced_mesh_of(clay, 400, 120);
-    return faces_of(KeptRelief(souvenir::relief_file(
-                                   relief_of(body, unrolled.places_of(body), surface, size, "cup")))
-                        .stl());
+    return faces_of(
+        KeptRelief(souvenir::relief_file(
+                       relief_of(body, unrolled.places_of(body), surface, size, "cup"), 0))
+            .stl());
   }
   ClayView clay;
   Profile made = clay.profile();

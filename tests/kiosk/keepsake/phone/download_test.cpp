@@ -12,10 +12,11 @@
 #include "kiosk/collection/content/glb.h"
 #include "kiosk/ground/files/monotonic.h"
 #include "kiosk/keepsake/phone/server.h"
-#include "kiosk/keepsake/souvenir/stl.h"
+#include "kiosk/keepsake/souvenir/printed_pot.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/keepsake/phone/phone_fixture.h"
 #include "tests/kiosk/keepsake/phone/slow_way.h"
+#include "tests/kiosk/keepsake/souvenir/relief_file_on_disk.h"
 
 // Large files, slow phones, ways that break, and who is closed for whom. How long anything takes is
 // tests/bench/phone_day.py.
@@ -65,7 +66,7 @@ TEST_F(Download, ThePrintIsMadeOfTheModelWholeOrASpanOfItAndIsTheDesksOwn) {
       .write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
   const auto stl = souvenir::stl_of_visit(visit);
   ASSERT_TRUE(stl);
-  const std::string desk(reinterpret_cast<const char*>(stl->data()), stl->size());
+  const std::string desk(reinterpret_cast<const char*>(stl->bytes.data()), stl->bytes.size());
   ASSERT_EQ(desk.size(), 84 + 50 * pot.triangles.size());
   ASSERT_GT(desk.size(), 300'000u) << "many pieces";
   const std::string whole = get(at + "/pot.stl");
@@ -80,6 +81,31 @@ TEST_F(Download, ThePrintIsMadeOfTheModelWholeOrASpanOfItAndIsTheDesksOwn) {
   EXPECT_EQ(body_of(ask(at + "/pot.stl", "", "HEAD")), "");
   std::filesystem::resize_file(visit / "pot.glb", glb.size() - 4096);
   EXPECT_THAT(get(at + "/pot.stl"), StartsWith("HTTP/1.1 404"));
+}
+
+TEST_F(Download, ADamagedReliefLeavesThePlainPotAndIsToldToTheStaffOnce) {
+  const std::filesystem::path visit = keepsakes_ / kVisit;
+  std::filesystem::remove(visit / "pot.stl");
+  const TriangleMesh pot = revolve(section_of(shapes::jar()), 96);
+  const auto glb = content::write_glb(pot, "My pot", "", {{0, {}}}, {}, 2);
+  auto relief = souvenir::test::rough_relief(souvenir::mark_of_model(glb, glb.size()));
+  const auto put = [&](const char* name, const std::vector<std::byte>& bytes) {
+    std::ofstream(visit / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  };
+  put("pot.glb", glb);
+  put("relief.onggi", relief);
+  const std::string at = "/k/" + token() + "/pot.stl", cut = body_of(get(at));
+  EXPECT_NE(cut.size(), 84 + 50 * pot.triangles.size());
+  EXPECT_TRUE(told_.empty());
+  relief[relief.size() / 2] ^= std::byte{0x10};
+  put("relief.onggi", relief);
+  const std::string plain = body_of(get(at));
+  EXPECT_EQ(plain.size(), 84 + 50 * pot.triangles.size());
+  EXPECT_EQ(body_of(ask(at, "Range: bytes=40000-\r\n")), plain.substr(40'000));
+  ASSERT_EQ(told_.size(), 1u);
+  EXPECT_EQ(told_.front().where, (visit / "relief.onggi").string());
 }
 
 TEST_F(Download, OneSpanOfAFileIsGivenAndTheRestOfItFromWhereAPhoneStopped) {

@@ -64,8 +64,10 @@ class PhoneTest : public ::testing::Test {
   std::atomic<std::int64_t> now_{kNow};
   souvenir::Passes passes_{keepsakes_};
   std::vector<Problem> remarks_;
+  std::vector<Problem> told_;  // to the staff; by the server's thread, before it answers
   Answers answers_{souvenir::OpenPasses(keepsakes_), [this] { return now_.load(); },
-                   PhoneLanguages::read("content/languages", remarks_)};
+                   PhoneLanguages::read("content/languages", remarks_),
+                   [this](const Problem& remark) { told_.push_back(remark); }};
   std::unique_ptr<Server> server_;
   std::thread runs_;
 };

@@ -108,7 +108,10 @@ TEST(keepsake, a_decorated_pot_has_its_model_made_of_its_picture_and_its_outside
                         got = std::move(jpegs);
                         return std::vector<std::byte>{std::byte{'m'}};
                       },
-                      [] { return std::vector<std::byte>(2, std::byte{'r'}); },
+                      [](std::span<const std::byte> model) {
+                        EXPECT_EQ(model.size(), 1u) << "of this GLB";
+                        return std::vector<std::byte>(2, std::byte{'r'});
+                      },
                       [&](const std::string& spoken) {
                         EXPECT_EQ(spoken, "quiet-blue-heron");
                         return grey(44, 200);

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kiosk/keepsake/souvenir/relief_model.h"
@@ -35,6 +37,21 @@ struct KeptRelief {
   files::test::ScratchFolder scratch;
   files::Descriptor file;
 };
+
+/// The file of a cup of 40 mm whose wall is rough all round, of the pot with this mark.
+inline std::vector<std::byte> rough_relief(std::uint32_t pot) {
+  ReliefModel model{"rough", 24, {}};
+  for (std::size_t n = 0; n < 48; ++n) {
+    const bool up = n < 30;
+    ReliefModel::Row row{up ? 1.0f : -1.0f, 0.0f, {}, {}, {}};
+    row.body.assign(12, {up ? 0.02f : 0.017f, 0.001f * static_cast<float>(up ? n : 60 - n)});
+    for (std::size_t k = 0; k < 24u * ReliefModel::kFine; ++k)
+      row.heights.push_back(static_cast<std::int16_t>((n * n + 37 * k) % 400));
+    row.fine.assign(24, true);
+    model.rows.push_back(std::move(row));
+  }
+  return relief_file(model, pot);
+}
 
 using StlCorner = std::array<float, 3>;
 using StlFace = std::array<StlCorner, 3>;

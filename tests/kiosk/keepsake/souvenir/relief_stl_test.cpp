@@ -50,7 +50,7 @@ ReliefModel carved(unsigned seed) {
 }
 
 TEST(ReliefStl, APlainCupIsClosedAndHoldsItsClay) {
-  const auto faces = faces_of(KeptRelief(relief_file(cup())).stl());
+  const auto faces = faces_of(KeptRelief(relief_file(cup(), 0)).stl());
   ASSERT_FALSE(faces.empty());
   EXPECT_EQ(open_edges(faces), 0);
   const double n = kBlocksRound, polygon = n / 2 * std::sin(2 * std::numbers::pi / n);
@@ -65,7 +65,7 @@ TEST(ReliefStl, APlainCupIsClosedAndHoldsItsClay) {
 
 TEST(ReliefStl, WhicheverBlocksAreFineItIsClosed) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
-    const auto faces = faces_of(KeptRelief(relief_file(carved(seed))).stl());
+    const auto faces = faces_of(KeptRelief(relief_file(carved(seed), 0)).stl());
     ASSERT_GT(faces.size(), 3000u);
     EXPECT_EQ(open_edges(faces), 0) << "seed " << seed;
     EXPECT_GT(volume_of(faces), 0.0);
@@ -75,7 +75,7 @@ TEST(ReliefStl, WhicheverBlocksAreFineItIsClosed) {
 TEST(ReliefStl, ARingThatIsCutIsWhereItWasCutAndAsDeep) {
   ReliefModel model = cup();
   model.rows[20].heights.assign(kPlacesRound, -800);
-  const auto faces = faces_of(KeptRelief(relief_file(model)).stl());
+  const auto faces = faces_of(KeptRelief(relief_file(model, 0)).stl());
   int met = 0;
   for (const auto& face : faces)
     for (const auto& [x, y, z] : face)
@@ -91,7 +91,7 @@ TEST(ReliefStl, AFineBlockHasAllItsPlacesAndAnEvenOneItsCorner) {
   ReliefModel model = cup();
   model.rows[20].fine[5] = true;
   model.rows[20].heights[5 * ReliefModel::kFine + 3] = 500;
-  const KeptRelief kept(relief_file(model));
+  const KeptRelief kept(relief_file(model, 0));
   const auto stl = ReliefStl::of(kept.file);
   ASSERT_TRUE(stl);
   const std::uint64_t plain = 2u * kBlocksRound * (model.rows.size() - 1) + 2u * kBlocksRound;
@@ -105,7 +105,7 @@ TEST(ReliefStl, AFineBlockHasAllItsPlacesAndAnEvenOneItsCorner) {
 }
 
 TEST(ReliefStl, AnySpanOfItIsThatPartOfTheWhole) {
-  const KeptRelief kept(relief_file(carved(3)));
+  const KeptRelief kept(relief_file(carved(3), 0));
   const auto whole = kept.stl();
   const auto stl = StlOfPot::of(kept.file);
   ASSERT_TRUE(stl);
@@ -122,7 +122,7 @@ TEST(ReliefStl, AnySpanOfItIsThatPartOfTheWhole) {
 }
 
 TEST(ReliefStl, ADamagedOrShortenedFileIsRefusedOrCutOff) {
-  const auto good = relief_file(carved(5));
+  const auto good = relief_file(carved(5), 0);
   ASSERT_FALSE(KeptRelief(good).stl().empty());
   for (const std::size_t at :
        {std::size_t{2}, std::size_t{9}, std::size_t{14}, std::size_t{18}, std::size_t{22},
@@ -136,9 +136,32 @@ TEST(ReliefStl, ADamagedOrShortenedFileIsRefusedOrCutOff) {
     EXPECT_TRUE(KeptRelief(std::span(good).first(size)).stl().empty()) << size;
 }
 
+TEST(ReliefStl, ItIsOfThePotWhoseModelItWasMadeForAndNotAByteMayDiffer) {
+  std::vector<std::byte> glb(200'000);
+  for (std::size_t n = 0; n < glb.size(); ++n) glb[n] = static_cast<std::byte>(n * n / 7);
+  const auto good = relief_file(carved(4), mark_of_model(glb, glb.size()));
+  const KeptRelief pot(glb), kept(good);
+  EXPECT_EQ(fit_of(kept.file, pot.file), ReliefFit::good);
+  auto other = glb;
+  other[60'000] ^= std::byte{1};
+  EXPECT_EQ(fit_of(kept.file, KeptRelief(other).file), ReliefFit::foreign);
+  other = glb;
+  other.push_back({});
+  EXPECT_EQ(fit_of(kept.file, KeptRelief(other).file), ReliefFit::foreign);
+  for (std::size_t at = 0; at < good.size(); at += 1 + at / 8) {
+    auto bad = good;
+    bad[at] ^= std::byte{0x10};
+    EXPECT_EQ(fit_of(KeptRelief(bad).file, pot.file), ReliefFit::damaged) << at;
+  }
+  for (const std::size_t size : {std::size_t{0}, std::size_t{20}, good.size() - 1})
+    EXPECT_EQ(fit_of(KeptRelief(std::span(good).first(size)).file, pot.file), ReliefFit::damaged);
+  std::filesystem::resize_file(kept.scratch.path() / kRelief, kMostRelief + 1);
+  EXPECT_EQ(fit_of(kept.file, pot.file), ReliefFit::damaged);
+}
+
 TEST(ReliefStl, TheSamePotHasTheSameBytesAndItsTitle) {
-  EXPECT_EQ(relief_file(carved(2)), relief_file(carved(2)));
-  const auto stl = KeptRelief(relief_file(carved(2))).stl();
+  EXPECT_EQ(relief_file(carved(2), 0), relief_file(carved(2), 0));
+  const auto stl = KeptRelief(relief_file(carved(2), 0)).stl();
   EXPECT_EQ(std::string(reinterpret_cast<const char*>(stl.data()), 20), "Onggi, mm, z up: cup");
 }
 

@@ -211,30 +211,6 @@ TEST(stl, a_damaged_model_gives_none_or_one_that_ends_and_never_reads_beyond_it)
   EXPECT_TRUE(Kept(std::span(index)).stl().empty()) << "a corner that is not there";
 }
 
-TEST(stl, the_desk_gets_it_whole_and_is_told_of_a_folder_without_a_pot) {
-  const Kept kept(turned(cup(0.05, 0.045, 0.12, 0.006), 24));
-  const auto stl = stl_of_visit(kept.scratch.path());
-  ASSERT_TRUE(stl);
-  EXPECT_TRUE(std::ranges::equal(*stl, kept.stl()));
-  const auto none = stl_of_visit(kept.scratch.path() / "no");
-  ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().exit_code, 2);
-}
-
-TEST(stl, the_desk_is_told_of_a_damaged_relief_by_its_name_and_waits_for_no_pipe) {
-  const Kept kept(turned(cup(0.05, 0.045, 0.12, 0.006), 24));
-  const auto relief = kept.scratch.path() / kRelief;
-  std::ofstream(relief) << "no relief";
-  const auto damaged = stl_of_visit(kept.scratch.path());
-  ASSERT_FALSE(damaged);
-  EXPECT_EQ(damaged.error().where, relief.string());
-  std::filesystem::remove(relief);
-  ASSERT_EQ(mkfifo(relief.c_str(), 0600), 0);
-  EXPECT_FALSE(stl_of_visit(kept.scratch.path()));
-  std::filesystem::remove(relief);
-  EXPECT_TRUE(stl_of_visit(kept.scratch.path()));
-}
-
 /// What ADMesh (Debian: admesh), which shares no line with us, says of a file.
 std::map<std::string, double> admesh(const std::filesystem::path& file) {
   const std::string command = "admesh '" + file.string() + "' 2>/dev/null";

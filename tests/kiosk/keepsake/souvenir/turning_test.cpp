@@ -21,7 +21,7 @@ constexpr const char* kVisit = "2026-05-04_141503_moon_jar";
 
 std::vector<std::byte> a_gif() { return std::vector<std::byte>(5000, std::byte{'g'}); }
 
-fs::path put_visit(const fs::path& folder, const std::string& name, std::size_t kilobytes = 1) {
+fs::path put_turned(const fs::path& folder, const std::string& name, std::size_t kilobytes = 1) {
   fs::create_directories(folder / name);
   std::ofstream(folder / name / "postcard.png") << std::string(kilobytes * 1000, 'x');
   return folder / name;
@@ -40,7 +40,7 @@ encoding::Turning busy(int frames) {
 
 TEST(TurningPicture, ComesIntoTheVisitThatIsThereAndLeavesNothingBeside) {
   const ScratchFolder scratch;
-  const fs::path visit = put_visit(scratch.path(), kVisit);
+  const fs::path visit = put_turned(scratch.path(), kVisit);
   const auto added = add_turning(visit, a_gif(), {100});
   ASSERT_TRUE(added) << to_text(added.error());
   EXPECT_EQ(*added, visit / "turning.gif");
@@ -56,7 +56,7 @@ TEST(TurningPicture, AVisitThatWasDeletedMeanwhileGetsNoneAndNoneIsLeftOfIt) {
   EXPECT_EQ(added.error().exit_code, 1);
   EXPECT_THAT(names_in(scratch.path()), ElementsAre());
   // Renamed, and about to be removed.
-  put_visit(scratch.path(), std::string(kVisit) + ".partial");
+  put_turned(scratch.path(), std::string(kVisit) + ".partial");
   ASSERT_FALSE(add_turning(scratch.path() / kVisit, a_gif(), {100}));
   EXPECT_THAT(names_in(scratch.path() / (std::string(kVisit) + ".partial")),
               ElementsAre("postcard.png"));
@@ -65,7 +65,7 @@ TEST(TurningPicture, AVisitThatWasDeletedMeanwhileGetsNoneAndNoneIsLeftOfIt) {
 TEST(TurningPicture, WhoDeletesAKeepsakeDeletesWhatAPowerCutLeftOfItsTurningPicture) {
   const ScratchFolder scratch;
   const Passes passes(scratch.path());
-  put_visit(scratch.path(), kVisit);
+  put_turned(scratch.path(), kVisit);
   const fs::path left = scratch.path() / (std::string(kVisit) + ".partial");
   fs::create_directories(left);
   std::ofstream(left / "turning.gif") << "half";
@@ -78,11 +78,11 @@ TEST(TurningPicture, WhoDeletesAKeepsakeDeletesWhatAPowerCutLeftOfItsTurningPict
 
 TEST(TurningPicture, AVisitGoesForTheQuotaWithItsTurningPictureWhateverAPowerCutLeftOfAnother) {
   const ScratchFolder scratch;
-  const fs::path old = put_visit(scratch.path(), "2026-01-01_100000_a", 6000);
+  const fs::path old = put_turned(scratch.path(), "2026-01-01_100000_a", 6000);
   ASSERT_TRUE(add_turning(old, std::vector<std::byte>(3'000'000), {10}));
   fs::create_directories(old.string() + ".partial");
   std::ofstream(old.string() + ".partial/turning.gif") << "half";
-  const fs::path visit = put_visit(scratch.path(), kVisit, 900);
+  const fs::path visit = put_turned(scratch.path(), kVisit, 900);
   ASSERT_TRUE(tidy(scratch.path(), {10}));
   EXPECT_TRUE(fs::exists(old)) << "9.9 MB are within the quota";
   ASSERT_TRUE(add_turning(visit, std::vector<std::byte>(500'000), {10}));
@@ -93,7 +93,7 @@ TEST(TurningPicture, AVisitGoesForTheQuotaWithItsTurningPictureWhateverAPowerCut
 
 TEST(TurningPicture, ADiskThatRefusesCostsThePictureAndNothingElse) {
   const ScratchFolder scratch;
-  const fs::path visit = put_visit(scratch.path(), kVisit);
+  const fs::path visit = put_turned(scratch.path(), kVisit);
   fs::permissions(scratch.path(), fs::perms::owner_read | fs::perms::owner_exec);
   const int status = in_child([&] {
     if (::geteuid() == 0 && ::setuid(65534) != 0) return false;
