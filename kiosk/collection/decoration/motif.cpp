@@ -47,7 +47,7 @@ std::vector<std::vector<Vec2>> read_ways(toml::TomlReader::Table& motif, const c
     bool round = true;
     table.require("points", "Give its points: points = [[-0.5, 0], [0, 0.5], [0.5, 0]].");
     table.boolean("smooth", round);
-    if (table.points("points", points)) {
+    if (table.points("points", points, "x, y")) {
       const std::size_t least = closed ? 3 : 2;
       if (points.size() < least || points.size() > kMostPoints) {
         table.complain("points",
@@ -75,17 +75,19 @@ Motif read_motif(toml::TomlReader::Table& table, const std::string& id) {
   Motif motif;
   motif.fills = read_ways(table, "fill", true);
   motif.lines = read_ways(table, "line", false);
-  if (table.children("fill").empty() && table.children("line").empty())
+  if (!table.has("fill") && !table.has("line"))
     table.complain(
         "", "the motif \"" + id + "\" has nothing to draw.",
         "Give it an area, [[motif." + id + ".fill]], or a line, [[motif." + id + ".line]].");
   return motif;
 }
 
-void read_length(toml::TomlReader::Table& table, const std::string& key, double unit, double low,
+bool read_length(toml::TomlReader::Table& table, const std::string& key, double unit, double low,
                  double high, double& out) {
   double value = 0.0;
-  if (table.number(key, value, low, high, unit == 1e-6 ? "um" : "mm")) out = unit * value;
+  if (!table.number(key, value, low, high, unit == 1e-6 ? "um" : "mm")) return false;
+  out = unit * value;
+  return true;
 }
 
 std::vector<Vec2> smooth(const std::vector<toml::OutlinePoint>& points, bool closed) {

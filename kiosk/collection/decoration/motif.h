@@ -19,7 +19,7 @@ struct Motif {
 Motif read_motif(toml::TomlReader::Table& table, const std::string& id);
 
 /// A length in `unit`s of m, 1e-3 or 1e-6, under `key`; `low` and `high` are in that unit, too.
-void read_length(toml::TomlReader::Table& table, const std::string& key, double unit, double low,
+bool read_length(toml::TomlReader::Table& table, const std::string& key, double unit, double low,
                  double high, double& out);
 
 /// A way through `points` that is smooth but at corners (Catmull and Rom 1974), eight links from

@@ -25,7 +25,9 @@ constexpr std::array<std::string_view, 10> kLaws{"brush", "cut",     "scrape", "
 constexpr std::array<std::string_view, 5> kHands{"line", "figure", "ring", "all", "up"};
 constexpr double kLargestStamp = 0.03;  // m
 constexpr std::array<std::string_view, 5> kStates{"soft", "leather", "dry", "fired", "glazed"};
-constexpr double kFar = 1.0;                     // units of a figure
+constexpr double kFar = 1.0;  // units of a figure
+// Of a figure of 1 unit; a smooth line bulges between its points.
+constexpr double kHigh = 0.55;
 constexpr std::size_t kMostInFigure = 8 * 2000;  // of a smoothed figure
 constexpr std::array<std::string_view, 3> kSections{"v", "u", "flat"};
 
@@ -53,10 +55,9 @@ class WayReader {
       : way_(way), languages_(languages) {}
 
   void read(Table& root) {
-    root.require("sources", "Say where it is published how these potters worked.");
-    root.require("simplified", "Say what is simplified; \"nothing\" if so.");
-    root.text("sources", way_.sources);
-    root.text("simplified", way_.simplified);
+    read_source(root, "sources", "Say where it is published how these potters worked.",
+                way_.sources);
+    read_source(root, "simplified", "Say what is simplified; \"nothing\" if so.", way_.simplified);
     way_.name = words(root, "name", bounds::kWayName);
     way_.about = words(root, "about", bounds::kWayAbout);
     read_pigments(root);
@@ -106,6 +107,7 @@ class WayReader {
     for (const std::string& id : all.keys()) {
       Table table = all.child(id);
       Way::Figure figure{id, read_motif(table, id), words(table, "name", bounds::kWayName)};
+      areas_.push_back(table.has("fill"));
       check_figure(table, figure);
       table.finish();
       way_.figures.push_back(std::move(figure));
@@ -116,16 +118,26 @@ class WayReader {
   /// A figure is small, near its middle, and soon drawn.
   void check_figure(Table& table, const Way::Figure& figure) const {
     std::size_t points = 0;
-    bool beyond = false;
+    double far = 0.0, high = 0.0;
     for (const auto* ways : {&figure.motif.fills, &figure.motif.lines})
       for (const auto& way : *ways) {
         points += way.size();
-        for (const Vec2& p : way) beyond = beyond || std::max(std::abs(p.x), std::abs(p.y)) > kFar;
+        for (const Vec2& p : way) {
+          far = std::max(far, std::abs(p.x));
+          high = std::max(high, std::abs(p.y));
+        }
       }
-    if (beyond)
+    const std::string remedy =
+        "Draw it 1 unit high at the most, its middle at (0, 0). size_mm says how large it is.";
+    if (high > kHigh)
+      table.complain(
+          "",
+          "the figure \"" + figure.id + "\" has a point more than 0.5 above or below its middle.",
+          remedy);
+    else if (far > kFar)
       table.complain("",
-                     "the figure \"" + figure.id + "\" has a point more than 1 from its middle.",
-                     "Draw it 1 unit high, its middle at (0, 0). size_mm says how large it is.");
+                     "the figure \"" + figure.id + "\" has a point more than 1 beside its middle.",
+                     remedy);
     if (points > kMostInFigure)
       table.complain("", "the figure \"" + figure.id + "\" has too many points.",
                      "Draw it with fewer: 2000 in all areas and lines are enough.");
@@ -141,20 +153,30 @@ class WayReader {
     if (ids.empty())
       table.complain(key, "the tool names no " + what + ".",
                      "Name one of this file's: " + key + " = [\"ID\"].");
-    for (const std::string& id : ids) {
-      const auto found = std::ranges::find(all, id, &Thing::id);
+    for (std::size_t n = 0; n < ids.size(); ++n) {
+      const auto found = std::ranges::find(all, ids[n], &Thing::id);
+      const int place = static_cast<int>(found - all.begin());
       if (found == all.end())
-        table.complain(key, "there is no " + what + " \"" + id + "\".",
-                       "Name a table [" + what + ".ID] of this file.");
+        table.complain_at(key, n, "there is no " + what + " \"" + ids[n] + "\".",
+                          "Name a table [" + what + ".ID] of this file.");
+      else if (std::ranges::find(out, place) != out.end())
+        table.complain_at(key, n, "\"" + ids[n] + "\" is named twice.", "Name it once.");
       else
-        out.push_back(static_cast<int>(found - all.begin()));
+        out.push_back(place);
     }
     return out;
   }
 
+  // A tool with a mistake counts as one, too: that no tool is there, or too few, would be wrong.
   void read_tool(Table& table) {
     WayTool tool;
+    read_tool(table, tool);
+    way_.tools.push_back(std::move(tool));
+  }
+
+  void read_tool(Table& table, WayTool& tool) {
     Law law{};
+    table.boolean("more", tool.more);
     table.require("law", "Say what it does: law = \"brush\".");
     table.require("hand", "Say how it is led: hand = \"line\".");
     bool good = settings::read_id(table, tool.id, "band");
@@ -176,17 +198,21 @@ class WayReader {
       const auto found = std::ranges::find(way_.tools, needs, &WayTool::id);
       if (found == way_.tools.end())
         table.complain("needs", "no tool before this one is called \"" + needs + "\".",
-                       "Name a tool that stands above it.");
+                       "Name a tool that stands above it, or remove the line.");
       else
         tool.needs = static_cast<int>(found - way_.tools.begin());
     }
-    table.boolean("more", tool.more);
     if (WayTool::State state{};
         table.has("state") && settings::read_one_of(table, "state", "state", kStates, state))
       tool.state = state;
-    if (table.integer("repeats", tool.repeats, 5, 12) &&
-        std::ranges::find(kRepeats, tool.repeats) == std::end(kRepeats))
-      table.complain("repeats", "repeats is not 5, 8, 10 or 12.", "Write 5, 8, 10 or 12.");
+    const bool comes_back = tool.hand == WayTool::line || tool.hand == WayTool::figure;
+    if (table.integer("repeats", tool.repeats, 5, 12)) {
+      if (!comes_back)
+        table.complain("repeats", "repeats has no use here: only a line or a figure comes back.",
+                       "Remove it.");
+      else if (std::ranges::find(kRepeats, tool.repeats) == std::end(kRepeats))
+        table.complain("repeats", "repeats is not 5, 8, 10 or 12.", "Write 5, 8, 10 or 12.");
+    }
     tool.name = words(table, "name", bounds::kWayName);
     tool.how = words(table, "how", bounds::kToolHow);
     tool.did = words(table, "did", bounds::kToolHow);
@@ -194,7 +220,12 @@ class WayReader {
       table.complain("id", "there are two tools \"" + tool.id + "\".",
                      "Give the second another id.");
     table.finish();
-    way_.tools.push_back(std::move(tool));
+  }
+
+  static void read_source(Table& root, const char* key, const char* remedy, std::string& out) {
+    root.require(key, remedy);
+    if (root.text(key, out) && out.find_first_not_of(" \t\r\n") == std::string::npos)
+      root.complain(key, std::string(key) + " is empty.", remedy);
   }
 
   void read_figure(Table& table, WayTool& tool) const {
@@ -231,8 +262,11 @@ class WayReader {
         read_length(table, "width_mm", 1e-3, 0.2, 10.0, def.width);
         read_length(table, "depth_mm", 1e-3, 0.15, 3.0, def.depth);
         settings::read_one_of(table, "section", "section", kSections, def.section);
-        table.integer("teeth", def.teeth, 1, 9);
-        read_length(table, "spacing_mm", 1e-3, 0.5, 6.0, def.spacing);
+        const bool one_tooth =
+            !table.has("teeth") || (table.integer("teeth", def.teeth, 1, 9) && def.teeth == 1);
+        if (read_length(table, "spacing_mm", 1e-3, 0.5, 6.0, def.spacing) && one_tooth)
+          table.complain("spacing_mm", "spacing_mm has no use here: the tool has one tooth.",
+                         "Remove it, or write teeth = 2 or more.");
         def.burr = 0.0;  // brushed off
         return def;
       }
@@ -265,7 +299,7 @@ class WayReader {
         if (tool.size > kLargestStamp)
           table.complain("size_mm", "size_mm is more than 30 for a stamp.", "Write 5 to 30.");
         for (const int motif : tool.motifs)
-          if (way_.figures[static_cast<std::size_t>(motif)].motif.fills.empty())
+          if (!areas_[static_cast<std::size_t>(motif)])
             table.complain("motifs",
                            "the figure \"" + way_.figures[static_cast<std::size_t>(motif)].id +
                                "\" has no area, so a stamp of it presses nothing.",
@@ -294,6 +328,7 @@ class WayReader {
 
   Way& way_;
   const std::vector<std::string>& languages_;
+  std::vector<bool> areas_;  // by Way::figures: an area is written
 };
 
 }  // namespace

@@ -54,8 +54,9 @@ class TomlReader {
     bool text(std::string_view key, std::string& out);
     bool texts(std::string_view key, std::vector<std::string>& out);
     bool numbers(std::string_view key, std::vector<double>& out);
-    /// An array of [radius, height] or [radius, height, "corner"].
-    bool points(std::string_view key, std::vector<OutlinePoint>& out);
+    /// An array of [radius, height] or [radius, height, "corner"]; a Problem calls the two `axes`.
+    bool points(std::string_view key, std::vector<OutlinePoint>& out,
+                std::string_view axes = "radius, height");
     /// Notes a Problem at `key`'s value, or at the table if `key` is absent or "". `what` and
     /// `remedy` are whole sentences and are used unchanged.
     void complain(std::string_view key, std::string what, std::string remedy);

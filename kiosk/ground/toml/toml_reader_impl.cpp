@@ -178,10 +178,10 @@ bool TomlReader::Table::numbers(std::string_view key, std::vector<double>& out) 
   return good;
 }
 
-bool TomlReader::Table::points(std::string_view key, std::vector<OutlinePoint>& out) {
-  const std::string remedy =
-      "Write a list of points, each [radius, height], or [radius, height, \"corner\"] where the "
-      "line turns sharply.";
+bool TomlReader::Table::points(std::string_view key, std::vector<OutlinePoint>& out,
+                               std::string_view axes) {
+  const std::string two(axes), remedy = "Write a list of points, each [" + two + "], or [" + two +
+                                        ", \"corner\"] where the line turns sharply.";
   const ::toml::array* list = impl_->ask_list(key, "a list of points", remedy);
   if (list == nullptr) return false;
   std::vector<OutlinePoint> read(list->size());

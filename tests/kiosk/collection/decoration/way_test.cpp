@@ -120,7 +120,77 @@ TEST(Way, EachFaultHasItsLineAndARemedy) {
             "the line has no length: its points lie on one place.");
   EXPECT_EQ(fault(good + "[[motif.far.line]]\npoints = [[0, 0], [0, 1.2]]\n"
                          "[motif.far.name]\nen = \"Far\"\n"),
-            "the figure \"far\" has a point more than 1 from its middle.");
+            "the figure \"far\" has a point more than 0.5 above or below its middle.");
+  EXPECT_EQ(fault(good + "[[motif.far.line]]\npoints = [[0, 0], [1.2, 0]]\n"
+                         "[motif.far.name]\nen = \"Far\"\n"),
+            "the figure \"far\" has a point more than 1 beside its middle.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"brush\"\nhand = \"ring\"\n"
+                              "with = [\"red\", \"white\", \"red\"]\n")),
+            "\"red\" is named twice.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"figure\"\n"
+                              "motifs = [\"leaf\", \"leaf\"]\n")),
+            "\"leaf\" is named twice.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"ring\"\nrepeats = 8\n")),
+            "repeats has no use here: only a line or a figure comes back.");
+  for (const char* teeth : {"", "teeth = 1\n"})
+    EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"line\"\n" +
+                                std::string(teeth) + "spacing_mm = 2\n")),
+              "spacing_mm has no use here: the tool has one tooth.");
+  EXPECT_EQ(fault(good + tool("id = \"b\"\nlaw = \"cut\"\nhand = \"line\"\nteeth = 12\n"
+                              "spacing_mm = 2\n")),
+            "tool[1].teeth is 12, but the largest allowed value is 9.");
+  EXPECT_EQ(fault(good + "[[motif.dot.line]]\npoints = [[0], [0, 1]]\n"
+                         "[motif.dot.name]\nen = \"Dot\"\n"),
+            "motif.dot.line[0].points[0] is a list of 1, but must be a point.");
+}
+
+TEST(Way, OneMistakeInAToolIsOneMessageWhateverHangsOnIt) {
+  const auto fault = [](const std::string& text) {
+    const WayRead found = read(text);
+    EXPECT_EQ(found.problems.size(), 1u) << text;
+    return found.problems.empty() ? Problem{} : found.problems[0];
+  };
+  const std::string weave = tool("id = \"a\"\nlaw = \"weave\"\nhand = \"ring\"\n");
+  EXPECT_EQ(fault(kHead + weave).what, "There is no law \"weave\".") << "its only tool";
+  EXPECT_NE(fault(kHead + weave).where.find("trial.toml:19:"), std::string::npos)
+      << fault(kHead + weave).where;
+  const std::string needs = tool("id = \"b\"\nlaw = \"wipe\"\nhand = \"line\"\nneeds = \"a\"\n");
+  EXPECT_EQ(fault(kHead + weave + needs).what, "There is no law \"weave\".");
+  const std::string more = tool("id = \"b\"\nlaw = \"wipe\"\nhand = \"line\"\nmore = true\n");
+  EXPECT_EQ(fault(kHead + weave + more).what, "There is no law \"weave\".");
+  EXPECT_EQ(fault(kHead + tool("id = \"A B\"\nlaw = \"wipe\"\nhand = \"line\"\n") +
+                  tool("id = \"b\"\nlaw = \"wipe\"\nhand = \"line\"\nneeds = \"A B\"\n"))
+                .what,
+            "\"A B\" is not a valid id.");
+  // An area that cannot be read is no stamp without an area.
+  EXPECT_EQ(fault(std::string(kHead) +
+                  "[[motif.dot.fill]]\npoints = [[0, 0], [0.2, 0.2]]\n"
+                  "[motif.dot.name]\nen = \"Dot\"\n" +
+                  tool("id = \"b\"\nlaw = \"stamp\"\nhand = \"figure\"\n"
+                       "motifs = [\"dot\"]\nsize_mm = 8\n"))
+                .what,
+            "it has 2 points, but needs 3 to 500.");
+}
+
+TEST(Way, APointIsSaidInTheOrderThatAFigureHas) {
+  const WayRead found = read(kHead + tool("id = \"a\"\nlaw = \"scrape\"\nhand = \"ring\"\n") +
+                             "[[motif.dot.line]]\npoints = [[0], [0, 1]]\n"
+                             "[motif.dot.name]\nen = \"Dot\"\n");
+  ASSERT_EQ(found.problems.size(), 1u);
+  EXPECT_NE(found.problems[0].remedy.find("each [x, y], or [x, y, \"corner\"]"), std::string::npos)
+      << found.problems[0].remedy;
+}
+
+TEST(Way, SaysFromWhereItIsKnown) {
+  for (const char* key : {"sources", "simplified"}) {
+    std::string text = kHead + tool("id = \"a\"\nlaw = \"scrape\"\nhand = \"ring\"\n");
+    const auto from = text.find('"', text.find(key)) + 1;
+    text.replace(from, text.find('"', from) - from, " ");
+    const WayRead found = read(text);
+    ASSERT_EQ(found.problems.size(), 1u);
+    EXPECT_EQ(found.problems[0].what, std::string(key) + " is empty.");
+    EXPECT_FALSE(found.problems[0].remedy.empty());
+  }
 }
 
 TEST(Way, HasTheToolsBehindMore) {
