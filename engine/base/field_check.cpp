@@ -15,7 +15,14 @@ void FieldCheck::range(const char* field, double value, double low, double high,
   if (first_ || (std::isfinite(value) && low <= value && value <= high)) return;
   const std::string tail = *unit != '\0' ? std::string(" ") + unit : std::string();
   const std::string span = number_text(low) + " to " + number_text(high) + tail;
-  require(false, field, "is " + number_text(value) + tail + ", outside " + span + ".",
+  std::string written = number_text(value);
+  if (written == number_text(low) || written == number_text(high)) {
+    // As many digits as tell it from the bound that it breaks.
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    written = digits;
+  }
+  require(false, field, "is " + written + tail + ", outside " + span + ".",
           "Write a number from " + span + ".");
 }
 

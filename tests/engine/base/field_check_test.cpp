@@ -19,6 +19,17 @@ TEST(FieldCheck, NamesTheFirstWrongFieldItsMeaningAndARemedy) {
   EXPECT_EQ(result.error().remedy, "Write a number from 8 to 20000.");
 }
 
+TEST(FieldCheck, a_value_just_beyond_its_bound_is_told_with_the_digits_that_differ) {
+  const auto told = [](double value) {
+    FieldCheck check("slump");
+    check.range("yield_stress", value, 100, 1e6, "Pa");
+    return check.result().error().what;
+  };
+  EXPECT_EQ(told(1000000.5), "slump.yield_stress is 1000000.5 Pa, outside 100 to 1e+06 Pa.");
+  EXPECT_EQ(told(99.9999999),
+            "slump.yield_stress is 99.999999900000006 Pa, outside 100 to 1e+06 Pa.");
+}
+
 TEST(FieldCheck, NotANumberIsOutsideEveryRange) {
   for (double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
