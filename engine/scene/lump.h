@@ -5,9 +5,15 @@
 
 namespace onggi {
 
+namespace scene {
+/// A target stands at most so high on the wheel, m.
+inline constexpr double kTallestTarget = 0.20;
+}  // namespace scene
+
 /// The factor that brings `target` within `max_height` and `max_diameter` (metres), so that a hand
 /// can reach all of it. Both > 0.
-double workspace_scale(const Profile& target, double max_height = 0.20, double max_diameter = 0.22);
+double workspace_scale(const Profile& target, double max_height = scene::kTallestTarget,
+                       double max_diameter = 0.22);
 
 /// The lump for `target` (already at workspace scale). All other fields come from `scene`'s clay.
 /// It is thick-walled, away from the target's outline, and as tall as the target; if the scene

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/nearest_name.h"
+#include "engine/scene/lump.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::settings {
@@ -74,12 +75,14 @@ class SceneReader {
   bool bound_strength() {
     if (!def_.slump) return true;
     constexpr double kRoot3 = 1.7320508075688772, kGravity = 9.81;
-    const double least = def_.slump->density * kGravity * def_.clay.height / kRoot3;
+    // A visit's lump is as tall as its vessel, whatever clay.height is.
+    const double least = def_.slump->density * kGravity * scene::kTallestTarget / kRoot3;
     if (def_.slump->yield_stress >= least) return true;
     tell({"slump.yield_stress",
-          "yield_stress is too low for a lump " + whole(1000.0 * def_.clay.height) +
-              " mm high: it sinks under its own weight before a hand is there.",
-          "Write at least " + whole(std::ceil(least)) + ", or lower clay.height."});
+          "yield_stress is too low for the lump of the tallest vessel, " +
+              whole(1000.0 * scene::kTallestTarget) +
+              " mm: it sinks under its own weight before a hand is there.",
+          "Write at least " + whole(std::ceil(least)) + "."});
     if (!put_back("slump.yield_stress")) leave_out(SlumpDef::kName, def_.slump);
     return false;
   }
@@ -129,14 +132,14 @@ class SceneReader {
       value(field.key, def.*(field.value));
     });
   }
-  /// Files that have a field's old key still mean it.
+  /// Files that have a field's old key still mean it; the check asks for the new one.
   void read_renamed(const std::string& key, const std::string& formerly, double& field) {
     if (!table_.has(formerly)) return;
     const double before = field;
     if (table_.number(formerly, field, -kAny, kAny))
       put_back_[name_ + "." + key] = [&field, before] { field = before; };
-    table_.complain(formerly, formerly + " is now called " + key + ", and is read as that.",
-                    "Write " + key + " in its place.");
+    table_.complain(formerly, formerly + " is the old name of " + key + ".",
+                    "Write " + key + " in its place. Until then the kiosk reads it as that.");
   }
   /// Reads a clay by name; numbers written beside it override it.
   void read_body(KilnDef& kiln) {
