@@ -167,7 +167,9 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
   if (exhibit.ways) {
     WaysRead read_all = read_ways(*exhibit.ways);
     for (const fs::path& way : read_all.files) look(report, way);
-    for (const auto& [id, way] : read_all.ways) ways.push_back(id);
+    // One with a mistake is told of itself; that a vessel names it is no other mistake.
+    for (const fs::path& way : read_all.files) ways.push_back(way.stem().string());
+    if (ways.empty() && exhibit.decorate) note(report, 0, {no_ways(file, *exhibit.ways)});
     note(report, read_all.keys_checked, std::move(read_all.problems));
   }
   check_names(report, content::names_file(file), exhibit.languages);

@@ -39,6 +39,17 @@ WaysRead read_ways(const fs::path& folder) {
   return read;
 }
 
+Problem no_ways(const fs::path& exhibit, const fs::path& folder) {
+  const std::string what = "This folder of ways is empty: it has no file *.toml.",
+                    remedy = "Copy content/ways of the program into it, or write decorate = false.";
+  toml::TomlReader reader(exhibit);
+  auto root = reader.root();
+  if (!root.has("ways")) return {folder.string(), what, remedy};
+  const auto before = reader.problems();
+  root.complain("ways", what, remedy);
+  return reader.problems_since(before).front();
+}
+
 WayFound find_way(const std::map<std::string, decoration::Way>& ways, const std::string& id,
                   const std::string& vessel) {
   const bool names_one = !id.empty();

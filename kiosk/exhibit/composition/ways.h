@@ -24,6 +24,9 @@ struct WaysRead {
 };
 WaysRead read_ways(const std::filesystem::path& folder);
 
+/// What to tell of an exhibit's folder of ways that has none; `exhibit`: its TOML.
+Problem no_ways(const std::filesystem::path& exhibit, const std::filesystem::path& folder);
+
 /// What a vessel is decorated with that names the way `id`: that one of `ways`, else the usual one,
 /// else nothing. `problem` says where it is not what it should be; `vessel` is its id.
 struct WayFound {

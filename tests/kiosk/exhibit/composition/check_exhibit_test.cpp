@@ -42,6 +42,43 @@ TEST(CheckExhibit, ANameInTheListsOfTheShelfThatIsNotThereIsToldWithTheNearestOn
   EXPECT_EQ(report.vessels, 11);
 }
 
+TEST(CheckExhibit, AMistakeInAWayIsToldOnceThoughAVesselNamesThatWay) {
+  const commands::ScratchFolder folder;
+  for (const char* part : {"config", "content"})
+    std::filesystem::copy(part, folder / part, std::filesystem::copy_options::recursive);
+  const auto file = (folder / "config/exhibit.toml").string(),
+             way = (folder / "content/ways/celadon.toml").string();
+  std::ofstream(file) << "languages = [\"en\"]\n[title]\nen = \"A\"\n";
+  std::ofstream(way, std::ios::app)
+      << "[[tool]]\nid = \"weave\"\nlaw = \"weave\"\nhand = \"line\"\n";
+  const auto report = check_path(file);
+  ASSERT_EQ(report->problems.size(), 1u);
+  EXPECT_EQ(report->problems[0].what, "There is no law \"weave\".");
+}
+
+TEST(CheckExhibit, AFolderOfWaysThatIsEmptyIsToldAtItsLineUnlessNobodyMayDecorate) {
+  const commands::ScratchFolder folder;
+  for (const char* part : {"config", "content"})
+    std::filesystem::copy(part, folder / part, std::filesystem::copy_options::recursive);
+  std::filesystem::create_directory(folder / "none");
+  const auto file = (folder / "config/exhibit.toml").string();
+  const auto problems = [&](const std::string& lines) {
+    std::ofstream(file) << "languages = [\"en\"]\n" + lines + "[title]\nen = \"A\"\n";
+    return check_path(file)->problems;
+  };
+  const auto told = problems("ways = \"../none\"\n");
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].where.find("exhibit.toml:2:"), std::string::npos) << told[0].where;
+  EXPECT_EQ(told[0].what, "This folder of ways is empty: it has no file *.toml.");
+  EXPECT_NE(told[0].remedy.find("decorate = false"), std::string::npos);
+  EXPECT_TRUE(problems("ways = \"../none\"\ndecorate = false\n").empty());
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "content/ways"))
+    std::filesystem::remove(entry.path());
+  const auto usual = problems("");
+  ASSERT_EQ(usual.size(), 1u);
+  EXPECT_NE(usual[0].where.find("content/ways"), std::string::npos) << usual[0].where;
+}
+
 // What other files say about a hidden vessel stays right.
 TEST(CheckExhibit, AHiddenVesselMayHaveASceneAndWordsInEveryLanguage) {
   EXPECT_TRUE(check_with("hidden = [\"moon_jar\"]\nlanguages = [\"en\", \"de\"]\n[title]\nen = "
