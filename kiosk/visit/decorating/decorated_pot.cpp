@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "kiosk/collection/decoration/decorate.h"
 #include "kiosk/collection/decoration/figure.h"
 #include "kiosk/visit/decorating/calm_line.h"
+#include "kiosk/visit/decorating/covering.h"
+#include "kiosk/visit/decorating/figure_on_pot.h"
 
 namespace onggi::decorating {
 
@@ -19,35 +22,31 @@ using surface::Station;
 
 constexpr double kPiecesASecond = 40.0;                // of work that goes on by itself
 constexpr double kHurry = 10.0;                        // times as fast, if a finger waits
-constexpr std::size_t kBroadPiece = 140;               // stations of a broad tool at once
 constexpr std::size_t kPiece = 24;                     // stations: 12 mm
 constexpr double kDab = 0.002;                         // m, of a finger that only tapped
 constexpr double kShortStroke = 0.012;                 // m up and down from a button's place
 constexpr double kMovedFigure = 0.0015;                // m, of a finger that carries a figure
-constexpr double kOfItsRoom = 0.94;                    // of the way round from a figure to the next
 constexpr double kTurnAngle = 2.0 * 3.14159265358979;  // rad
-constexpr double kFoot = 0.005;   // m that no dip covers: glaze would stick to the shelf
-constexpr int kSlices = 24;       // of a dip that rises
-constexpr int kTilesAFrame = 40;  // some 7 ms
+constexpr int kTilesAFrame = 40;                       // some 7 ms
 constexpr int kMost = 1 << 20;
 constexpr std::int64_t kMeltAFrame = 500'000;  // cells, some 6 ms; a tall pot needs 65 frames
 
+constexpr double kSameHeight = 0.004;  // m: two dips that nobody tells apart
 constexpr double kNarrow = 0.008;  // m to either side of a ring: of a wiped one only its bare part
 
-/// A figure's extent, in its units.
-struct Box {
-  double left = 0.0, right = 0.0, low = 0.0, high = 0.0;
-};
+/// True if what it changes is in its surface::Work: it lays something, or takes something away.
+bool counts_its_work(const surface::Tool& law) {
+  return std::holds_alternative<surface::CutDef>(law) ||
+         std::holds_alternative<surface::BrushDef>(law) ||
+         std::holds_alternative<surface::ScrapeDef>(law) ||
+         std::holds_alternative<surface::DipDef>(law) ||
+         std::holds_alternative<surface::FillDef>(law) ||
+         std::holds_alternative<surface::CoilDef>(law);
+}
 
-Box box_of(const decoration::Motif& motif) {
-  Box box;
-  for (const auto* ways : {&motif.fills, &motif.lines})
-    for (const auto& points : *ways)
-      for (const Vec2& p : points) {
-        box.left = std::min(box.left, p.x), box.right = std::max(box.right, p.x);
-        box.low = std::min(box.low, p.y), box.high = std::max(box.high, p.y);
-      }
-  return box;
+bool lays_coat(const surface::Tool& law) {
+  return std::holds_alternative<surface::BrushDef>(law) ||
+         std::holds_alternative<surface::DipDef>(law);
 }
 
 }  // namespace
@@ -64,10 +63,7 @@ DecoratedPot::DecoratedPot(surface::Surface surface, const decoration::Way& way)
       surface_(std::move(surface)),
       picture_(surface_, way.palette),
       zones_(surface_, outside()) {
-  for (const WayTool& tool : way.tools) {
-    choices_.emplace_back();
-    choices_.back().repeats = tool.repeats;
-  }
+  choices_.resize(way.tools.size());
   double high = 0.0, wide = 0.0;
   for (int j = 0; j < surface_.rows(); ++j) {
     high = std::max(high, surface_.row(j).height);
@@ -127,14 +123,37 @@ void DecoratedPot::apply(surface::Stroke stroke, int repeats) {
   tell_age(stroke);
   auto all = surface::repeated(stroke, repeats);
   if (!all) return;
+  const bool counted = counts_its_work(stroke.tool);
   for (surface::Stroke& each : *all) {
     each.continues = step_begun_;
-    if (!surface::apply(surface_, each)) continue;  // beyond the end of the pot
-    if (!step_begun_) steps_.push_back({working_, {}});
+    const auto work = surface::apply(surface_, each);
+    if (!work) continue;  // beyond the end of the pot
+    if (!step_begun_) {
+      steps_.push_back({working_,
+                        choices_[static_cast<std::size_t>(working_)].pigment,
+                        last_.value_or(began_at_).along,
+                        {}});
+      changed_ = false;
+    }
     step_begun_ = true;
+    changed_ = changed_ || !counted || *work != surface::Work{};
     steps_.back().parts.push_back(touched_part(surface_, each));
     touch({steps_.back().parts.back()});
   }
+}
+
+void DecoratedPot::end_step() {
+  if (!step_begun_ || pressed() || busy()) return;
+  if (!changed_) take_back();
+  step_begun_ = false;
+}
+
+bool DecoratedPot::just_coated(double along) const {
+  const bool all = held().hand == WayTool::all;
+  if (shows_example() || steps_.empty() || (!all && held().hand != WayTool::up)) return false;
+  const Step& last = steps_.back();
+  return lays_coat(held().law) && last.tool == tool_ && last.pigment == pigment() &&
+         (all || std::abs(last.from - along) < kSameHeight);
 }
 
 /// Slip that an earlier step laid is wet for a while, and a brush takes some of it along.
@@ -157,7 +176,7 @@ void DecoratedPot::touch(const std::vector<Part>& parts) {
 }
 
 void DecoratedPot::press(const Place& at) {
-  if (busy() || waits(tool_)) return;
+  if (busy() || waits(tool_) || just_coated(at.along)) return;
   step_begun_ = false;
   working_ = tool_;
   last_.reset();
@@ -239,6 +258,7 @@ void DecoratedPot::lift() {
   }
   tracer_.reset();
   last_.reset();
+  end_step();
 }
 
 void DecoratedPot::cancel() {
@@ -268,24 +288,11 @@ void DecoratedPot::close_ring() {
   const double whole = gone < 0.0 ? -1.0 : 1.0;
   if (std::abs(gone) < 1.0) tracer_->go({began_at_.along, began_at_.turns + whole});
   tracer_->lift();
-  wait_for(tracer_->stations(), traced_ > 0 ? traced_ - 1 : 0, kPiece);
+  wait_for(in_pieces(law(), tracer_->stations(), traced_ > 0 ? traced_ - 1 : 0, kPiece));
 }
 
-void DecoratedPot::wait_for(const std::vector<Station>& stations, std::size_t from,
-                            std::size_t piece) {
-  for (std::size_t n = from; n + 1 < stations.size(); n += piece) {
-    const std::size_t to = std::min(n + piece + 1, stations.size());
-    waiting_.push_back({law(),
-                        {stations.begin() + static_cast<std::ptrdiff_t>(n),
-                         stations.begin() + static_cast<std::ptrdiff_t>(to)},
-                        false});
-  }
-}
-
-double DecoratedPot::size_at(const decoration::Motif& motif, const Place& at) const {
-  const Box box = box_of(motif);
-  const double room = kTurnAngle * row_at(at.along).radius / repeats();
-  return std::min(held().size, kOfItsRoom * room / std::max(box.right - box.left, 0.1));
+void DecoratedPot::wait_for(std::vector<surface::Stroke> strokes) {
+  std::ranges::move(strokes, std::back_inserter(waiting_));
 }
 
 /// How far the brush in the hand goes, m: each touch is a fresh dip.
@@ -294,68 +301,23 @@ double DecoratedPot::way_of_load() const {
   return brush != nullptr ? brush->reach : decoration::kEndlessWay;
 }
 
-/// A stamp stands upright as it is looked at.
-void DecoratedPot::press_stamp(const decoration::Motif& motif, const Place& at, bool inside) {
-  auto stamp = std::get<surface::StampDef>(held().law);
-  stamp.picture = decoration::stamp_picture(motif, stamp.side);
-  stamp.size = size_at(motif, at);
-  Station station;
-  station.along = static_cast<std::int32_t>(1e6 * at.along);
-  station.round = static_cast<std::int32_t>(at.turns * surface::kTurn);
-  station.across_along = 0;
-  station.across_round = static_cast<std::int16_t>(inside ? -surface::kUnit : surface::kUnit);
-  apply({std::move(stamp), {station}, false}, repeats());
-}
-
 void DecoratedPot::set_figure(const Place& at) {
-  const WayTool& tool = held();
-  const auto& figures = way_.figures;
-  const auto& figure =
-      figures[static_cast<std::size_t>(tool.motifs[static_cast<std::size_t>(choice().figure)])];
-  std::optional<surface::FillDef> fill;
-  if (const auto* brush = std::get_if<surface::BrushDef>(&tool.law)) {
-    fill.emplace();
-    fill->pigment = std::get<surface::BrushDef>(law()).pigment;
-    fill->thickness = brush->thickness;
-  }
-  const bool inside = at.along > outside();
-  const double size = size_at(figure.motif, at);
-  const Box box = box_of(figure.motif);
-  const double along = zones_.within(at.along, -size * box.low, size * box.high);
-  if (std::holds_alternative<surface::StampDef>(tool.law))
-    return press_stamp(figure.motif, {along, at.turns}, inside);
-  for (surface::Stroke& stroke : decoration::figure_strokes(
-           surface_, figure.motif,
-           decoration::figure_place(surface_, along, at.turns, size, inside), law(), fill))
+  const int figure = held().motifs[static_cast<std::size_t>(choice().figure)];
+  for (surface::Stroke& stroke :
+       figure_on_pot(surface_, held(), law(), way_.figures[static_cast<std::size_t>(figure)].motif,
+                     zones_, outside(), repeats(), at))
     apply(std::move(stroke), repeats());
 }
 
 void DecoratedPot::cover_all() {
-  const surface::Tool tool = law();
-  if (const auto* whole = std::get_if<surface::DipDef>(&tool)) {
-    const double end = end_of_outline();
-    for (int n = 0; n < kSlices; ++n) {
-      surface::DipDef dip = *whole;
-      dip.from = kFoot + (end - kFoot) * n / kSlices;
-      dip.to = n + 1 == kSlices ? end : kFoot + (end - kFoot) * (n + 1) / kSlices;
-      if (dip.from < dip.to) waiting_.push_back({dip, {}, false});
-    }
-    return;
-  }
   // A bowl is looked into.
-  const double end = open_ ? end_of_outline() : outside();
-  const double half = std::min(reach_of(tool), 0.5 * end);
-  for (double at = half; at < end + 0.8 * half; at += 1.8 * half) {
-    const double along = std::min(at, end - half);
-    wait_for(decoration::way_of(surface_, {{0.0, 0.0}, {1.0, 0.0}}, {along, 0.0, 1.0, 1.0}, false),
-             0, kBroadPiece);
-  }
+  wait_for(covering(surface_, law(), open_ ? end_of_outline() : outside(), end_of_outline()));
 }
 
 void DecoratedPot::from_up(const Place& at) {
   surface::Tool tool = law();
   if (auto* dip = std::get_if<surface::DipDef>(&tool)) {
-    dip->from = std::max(at.along, kFoot), dip->to = end_of_outline();
+    dip->from = std::max(at.along, kBareFoot), dip->to = end_of_outline();
     if (dip->from >= dip->to) return;
   }
   if (auto* smoke = std::get_if<surface::SmokeDef>(&tool)) {
@@ -385,6 +347,7 @@ void DecoratedPot::update(double dt, bool hurry) {
       apply(std::move(waiting_.front()), 1);
       waiting_.pop_front();
     }
+    end_step();
   } else {
     due_ = 0.0;
   }
@@ -398,6 +361,7 @@ bool DecoratedPot::settled() const { return drawn_ && !pressed() && !busy() && !
 
 void DecoratedPot::end_work() {
   for (; busy(); waiting_.pop_front()) apply(std::move(waiting_.front()), 1);
+  end_step();
 }
 
 void DecoratedPot::finish() {

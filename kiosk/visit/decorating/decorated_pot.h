@@ -51,12 +51,14 @@ class DecoratedPot {
   /// In WayTool::pigments and WayTool::motifs of the held tool.
   int pigment() const { return choice().pigment; }
   int figure() const { return choice().figure; }
-  int repeats() const { return choice().repeats; }
+  /// The tool's own number, until the visitor chooses one: that is for all tools.
+  int repeats() const { return repeats_.value_or(held().repeats); }
   void choose_pigment(int index) { choice().pigment = index; }
   void choose_figure(int index) { choice().figure = index; }
-  void choose_repeats(int repeats) { choice().repeats = repeats; }
+  void choose_repeats(int repeats) { repeats_ = repeats; }
 
-  // The hand. Nothing happens while busy().
+  // The hand. Nothing happens while busy(), nor where the same coat was just laid. What changes
+  // nothing is no step.
   /// A finger comes down, moves, and leaves.
   void press(const Place& at);
   void move(const Place& at);
@@ -110,10 +112,11 @@ class DecoratedPot {
 
  private:
   struct Choice {
-    int pigment = 0, figure = 0, repeats = 8;
+    int pigment = 0, figure = 0;
   };
   struct Step {
-    int tool = 0;
+    int tool = 0, pigment = 0;
+    double from = 0.0;        ///< Of what covers all from a height on: that height, m.
     std::vector<Part> parts;  ///< The cells that it changed.
   };
   /// A pot before an example.
@@ -131,19 +134,19 @@ class DecoratedPot {
   /// The held tool's law, with the chosen pigment.
   surface::Tool law() const;
   void apply(surface::Stroke stroke, int repeats);
+  /// Forgets the last step if it changed nothing.
+  void end_step();
+  /// True if the held tool laid this coat at `along` just before.
+  bool just_coated(double along) const;
   void touch(const std::vector<Part>& parts);
   void tell_age(surface::Stroke& stroke);
   void take_back();
   const std::vector<Step>& own_steps() const { return saved_ ? saved_->steps : steps_; }
   const surface::Row& row_at(double along) const;
   void trace();
-  /// Does the rest of a way a piece at a time.
-  void wait_for(const std::vector<surface::Station>& stations, std::size_t from, std::size_t piece);
+  void wait_for(std::vector<surface::Stroke> strokes);
   void set_figure(const Place& at);
-  /// Height of a figure at a place, m: smaller where its repeats would overlap.
-  double size_at(const decoration::Motif& motif, const Place& at) const;
   double way_of_load() const;
-  void press_stamp(const decoration::Motif& motif, const Place& at, bool inside);
   /// Where a ring is drawn for a finger at `along`: in one zone, and level while the finger wavers.
   double ring_at(double along) const;
   void close_ring();
@@ -158,9 +161,11 @@ class DecoratedPot {
   decoration::CoatPicture picture_;
   Zones zones_;
   std::vector<Choice> choices_;
+  std::optional<int> repeats_;  ///< That the visitor chose.
   int tool_ = 0;
   int working_ = 0;  ///< The tool of the last press.
   bool step_begun_ = false;
+  bool changed_ = false;     ///< Something, by the step that was begun.
   std::vector<Step> steps_;  ///< As many as the surface can take back, and those before.
   std::deque<surface::Stroke> waiting_;  ///< Each for its frame,
   double due_ = 0.0;                     ///< and how many of them are due.

@@ -211,6 +211,56 @@ TEST_F(Decorating, UndoTakesOneTouchBackHoweverManyPiecesItHad) {
   EXPECT_TRUE(pot->did().empty());
 }
 
+// Else a visitor who flooded four times would undo three times and see nothing.
+TEST_F(Decorating, WhatChangesNothingIsNoStepAndCostsNoUndo) {
+  touch(band, 0.05);
+  const std::uint64_t banded = pot->surface().hash();
+  for (int n = 0; n < 4; ++n) touch(flood, 0.05);
+  EXPECT_EQ(pot->did().back().times, 1);
+  pot->undo();
+  EXPECT_EQ(pot->surface().hash(), banded);
+  for (int n = 0; n < 4; ++n) touch(glaze, 0.05);
+  pot->undo();
+  EXPECT_EQ(pot->surface().hash(), banded);
+  touch(flood, 0.05);
+  touch(scrape, 0.12);
+  const std::uint64_t scraped = pot->surface().hash();
+  touch(scrape, 0.12);
+  EXPECT_EQ(pot->surface().hash(), scraped);
+  EXPECT_EQ(pot->did().back().times, 1) << "the blade meets nothing any more";
+  touch(flood, 0.05);
+  EXPECT_NE(pot->surface().hash(), scraped) << "what was scraped is flooded again";
+  EXPECT_EQ(pot->did()[1].times, 2);
+  pot->undo();
+  pot->undo();
+  pot->undo();
+  EXPECT_EQ(pot->surface().hash(), banded);
+  expect_whole_picture();
+}
+
+TEST_F(Decorating, AnotherColourCoversAllAgain) {
+  way.tools[flood].pigments = {0, 1};
+  touch(flood, 0.05);
+  pot->choose_pigment(1);
+  touch(flood, 0.05);
+  touch(flood, 0.05);
+  ASSERT_EQ(pot->did().size(), 1u);
+  EXPECT_EQ(pot->did()[0].times, 2);
+}
+
+TEST_F(Decorating, HowManyIsTheToolsOwnUntilTheVisitorChoosesItForAll) {
+  pot->choose_tool(leaf);
+  EXPECT_EQ(pot->repeats(), 5);
+  pot->choose_tool(cut);
+  EXPECT_EQ(pot->repeats(), 8);
+  pot->choose_repeats(12);
+  EXPECT_EQ(pot->repeats(), 12);
+  pot->choose_tool(leaf);
+  EXPECT_EQ(pot->repeats(), 12);
+  pot->choose_tool(wipe);
+  EXPECT_EQ(pot->repeats(), 12);
+}
+
 // A flood changes more than the surface remembers to take back.
 TEST_F(Decorating, WhatCannotBeTakenBackAnyMoreIsStillThere) {
   touch(band, 0.05);
