@@ -25,10 +25,13 @@ std::optional<std::size_t> language_of(const Desk& desk, const std::string& cont
 void lay_out_languages(Page& page, const Desk& desk) {
   const TypeScale& t = page.type();
   Column column(page, page.where().page);
-  column.foot_buttons(reading_buttons(desk));
-  column.foot_space(t.gap);
-  column.foot_buttons({{"language.close", desk.say("all.back"), Look::outline}});
-  column.foot_space(t.gap * 2);
+  // Back has the place that it has on every screen, and nothing stands where other screens have
+  // their step onward: the touch after a choice is often meant for this page.
+  std::vector<Button> row = reading_buttons(desk);
+  row.insert(row.end() - 1, {"language.close", desk.say("all.back"), Look::quiet});
+  column.foot_buttons(row);
+  const Button onward{"", desk.say("all.back"), Look::outline};
+  column.foot_space(t.gap + page.size(onward, page.where().page.w).height + t.gap * 2);
   std::vector<Button> cells;
   for (const content::Language& language : *desk.world.languages) {
     const bool on = &language == &desk.words();

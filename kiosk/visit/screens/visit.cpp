@@ -12,8 +12,9 @@ namespace onggi::screens {
 using view::InputEvent;
 
 namespace {
-constexpr double kFade = 0.3;         // s
-constexpr double kCalm = 0.4;         // s that a page which has closed still takes the touches
+constexpr double kFade = 0.3;    // s
+constexpr double kCalm = 0.4;    // s that a page which has closed still takes the touches
+constexpr double kClosed = 1.5;  // s that a touch is still meant for what a closed page had there
 constexpr double kLookedAway = 60.0;  // s that an overlay and another language stay on over attract
 constexpr double kStepsToAct = 40, kStepsToStay = 10;  // times the switch's time for an item
 constexpr double kDeviceMoved = 0.002;                 // m: more than a resting device trembles
@@ -100,7 +101,10 @@ view::Frame Visit::frame(int width, int height) {
   s.measuring.begin_frame();
   s.keep_focus();
   s.lay_out_fitting(width, height);
-  if (s.uncovered > 0 && --s.uncovered == 0) s.calm_until = s.desk.now + kCalm;
+  if (s.uncovered > 0 && --s.uncovered == 0) {
+    s.calm_until = s.desk.now + kCalm;
+    s.closed_until = s.desk.now + kClosed;
+  }
   const std::string was = s.focused;
   s.keep_focus();
   if (s.focused != was) s.lay_out_fitting(width, height);

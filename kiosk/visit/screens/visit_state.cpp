@@ -48,7 +48,9 @@ void Visit::State::cover(Over what) {
   const bool closes = what == Over::nothing || (over == Over::languages && what == under_languages);
   // Touches that came while a slow machine drew the first frame were made before it was seen.
   uncovered = closes ? 2 : 0;
-  calm_until = 0;
+  calm_until = closed_until = 0;
+  closed.clear();
+  if (closes && over == Over::languages && page) closed = page->controls();
   over = what;
   if (what != Over::nothing) screen->let_go();
   changed();
@@ -115,6 +117,13 @@ std::string Visit::State::control_at(float x, float y) const {
   return {};
 }
 
+bool Visit::State::meant_for_closed(float x, float y) const {
+  if (desk.now >= closed_until) return false;
+  const auto was = std::ranges::find_if(
+      closed, [&](const Control& c) { return !c.by_keys && c.rect.contains(x, y); });
+  return was != closed.end() && was->id != control_at(x, y);
+}
+
 void Visit::State::pointer(const InputEvent& e) {
   using Kind = InputEvent::Kind;
   if (e.finger != 0) {
@@ -129,7 +138,8 @@ void Visit::State::pointer(const InputEvent& e) {
     focused.clear();
   }
   // Nobody means what they have not seen yet.
-  if (e.kind == Kind::pointer_down) swallowed = uncovered > 0 || desk.now < calm_until;
+  if (e.kind == Kind::pointer_down)
+    swallowed = uncovered > 0 || desk.now < calm_until || meant_for_closed(e.x, e.y);
   if (swallowed) return;
   const std::string on = e.kind == Kind::pointer_down || e.kind == Kind::pointer_up
                              ? control_at(e.x, e.y)

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "kiosk/visit/screens/idle.h"
 #include "kiosk/visit/screens/screen.h"
@@ -28,6 +29,10 @@ struct Visit::State {
   int uncovered = 0;       ///< Frames until what a closed page covered has been seen.
   double calm_until = 0;   ///< A touch before it was meant for the page that closed,
   bool swallowed = false;  ///< as was the finger that is down.
+  /// What the page of languages had when it closed. A touch there before that time was meant for
+  /// it, unless the same control is there still.
+  std::vector<Control> closed;
+  double closed_until = 0;
   bool by_keys = false, wanders = false;
   std::string focused, pressed;
   std::uint64_t serial = 1;
@@ -52,6 +57,7 @@ struct Visit::State {
   std::string first_control() const;
   void keep_focus();
   std::string control_at(float x, float y) const;
+  bool meant_for_closed(float x, float y) const;
   Page lay_out(int width, int height, const GiveWay& gives);
   void lay_out_fitting(int width, int height);
 };

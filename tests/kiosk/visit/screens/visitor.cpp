@@ -219,7 +219,9 @@ void Visitor::touch(const std::string& control) {
   show();
   up(rect->x + rect->w / 2, rect->y + rect->h / 2);
   show();
-  if (control.ends_with(".close") || control.starts_with("language.") || control == "leaving.go")
+  if (control.starts_with("language."))
+    frames(1.6);
+  else if (control.ends_with(".close") || control == "leaving.go")
     frames(0.5);
 }
 
