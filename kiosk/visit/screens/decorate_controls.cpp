@@ -63,7 +63,10 @@ std::vector<Button> tool_buttons(const Desk& desk, const DecoratedPot& pot) {
                          in_words(desk, pot.way().tools[static_cast<std::size_t>(n)].name),
                          n == pot.tool()));
   }
-  if (others) row.push_back(choice(kMore, desk.say("decorate.more"), pot.held().more));
+  if (!others) return row;
+  Button more{kMore, desk.say(pot.held().more ? "decorate.first" : "decorate.more"), Look::outline};
+  more.tight = true;
+  row.push_back(std::move(more));
   return row;
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "kiosk/picture/view/palette.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
@@ -26,6 +28,26 @@ struct Decorator : Visitor {
     e.kind = kind, e.x = x, e.y = y, e.glass = true;
     e.finger = static_cast<std::uint8_t>(number);
     visit->input(e, now);
+  }
+  /// The box round words that stand in the frame; nothing where they do not.
+  std::optional<view::Rect> box_of(const std::string& words) const {
+    for (std::size_t n = 1; n < frame.items.size(); ++n)
+      if (const auto* text = std::get_if<view::Text>(&frame.items[n]);
+          text != nullptr && text->text == words)
+        if (const auto* box = std::get_if<view::Box>(&frame.items[n - 1])) return box->rect;
+    return std::nullopt;
+  }
+  /// Of the pot's outside, as it is seen.
+  bool covers_pot(const view::Rect& box) const {
+    const auto& surface = pot()->surface();
+    for (int row = 0; row < surface.rows(); row += 8)
+      for (int n = 0; n < 48; ++n) {
+        const double angle = n * 0.1308996938995747, radius = surface.row(row).radius;
+        const auto at = frame.pot->camera.project(
+            {radius * std::cos(angle), surface.row(row).height, radius * std::sin(angle)});
+        if (at && box.contains(at->first, at->second)) return true;
+      }
+    return false;
   }
   int faint_strokes() const {
     int n = 0;
@@ -343,6 +365,17 @@ TEST(DecorateScreen, AWordSaysThatTheClayHasComeFurtherAndGoesByItself) {
   EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
   v.stroke(20, -40);
   EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
+}
+
+TEST(DecorateScreen, TheButtonForMoreToolsAlsoNamesTheWayBack) {
+  Decorator v;
+  v.touch("result.keep");
+  EXPECT_NE(words_in(v.frame).find("More tools"), std::string::npos);
+  v.touch("decorate.more");
+  EXPECT_EQ(words_in(v.frame).find("More tools"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("First tools"), std::string::npos);
+  v.touch("decorate.more");
+  EXPECT_NE(words_in(v.frame).find("More tools"), std::string::npos);
 }
 
 TEST(DecorateScreen, TwoFingersTurnAndTiltThePotAndDrawNothing) {
