@@ -22,6 +22,7 @@ constexpr int kDashes = 6;                                 // round the pot
 constexpr double kFacing = 0.2;    // cosine from which a place counts as seen
 constexpr double kHidden = 0.004;  // m
 constexpr float kFaintStroke = 0.4f;
+constexpr int kRowsApart = 8, kRoundABox = 48;  // where a pot's picture is looked for
 
 const surface::Row& row_of(const decorating::DecoratedPot& pot, double along) {
   const auto& surface = pot.surface();
@@ -106,14 +107,16 @@ void draw_finger(Page& page, const SeenPot& seen, const decorating::Example::Fin
                      static_cast<float>(1.0 - finger.off));
 }
 
-void draw_starts(Page& page, const SeenPot& seen, std::span<const Start> starts) {
+bool draw_starts(Page& page, const SeenPot& seen, std::span<const Start> starts) {
   const auto& pot = seen.pot;
+  bool any = false;
   for (const Start& start : starts) {
     if (!made_by(start, pot.held())) continue;
     const double side = start.inside ? pot.along_of(0.0, true) - pot.outside() : pot.outside();
     const double middle = pot.along_of(start.at, start.inside);
     const double reach = start.reach * side;
     if (pot.touched(middle - reach, middle + reach)) continue;
+    any = true;
     const double up = start.inside ? -1.0 : 1.0;
     const double round = kFullTurn * std::max(row_of(pot, middle).radius, 1e-3);  // m round
     const int strokes = start.ring ? kDashes : start.repeats;
@@ -126,19 +129,41 @@ void draw_starts(Page& page, const SeenPot& seen, std::span<const Start> starts)
                    {middle + up * to.y, first - up * to.x / round});
     }
   }
+  return any;
 }
 
-void draw_word(Page& page, const std::string& word, float shown) {
+view::Rect seen_box(const SeenPot& seen) {
+  const auto& surface = seen.pot.surface();
+  float left = 1e9f, right = -1e9f, top = 1e9f, foot = -1e9f;
+  for (int j = 0; j < surface.rows(); j += kRowsApart)
+    for (int n = 0; n < kRoundABox; ++n) {
+      const surface::Row& row = surface.row(j);
+      const double angle = kFullTurn * n / kRoundABox;
+      const auto at = seen.camera.project(
+          {row.radius * std::cos(angle), row.height, row.radius * std::sin(angle)});
+      if (!at) continue;
+      left = std::min(left, at->first), right = std::max(right, at->first);
+      top = std::min(top, at->second), foot = std::max(foot, at->second);
+    }
+  if (right < left) return {};
+  return {left, top, right - left, foot - top};
+}
+
+void draw_word(Page& page, const SeenPot& seen, const std::string& words, float px, float shown) {
   const TypeScale& t = page.type();
-  const view::Rect& room = page.where().pot;
-  const auto style = page.style(view::Face::serif, t.lead, view::Align::centre);
-  const auto size = page.size(word, style, room.w);
+  const Regions& where = page.where();
+  const view::Rect pot = seen_box(seen);
+  const auto style = page.style(view::Face::serif, px, view::Align::centre);
   const float pad = t.gap;
-  const view::Rect box{room.x + (room.w - size.width) / 2 - pad, room.y, size.width + 2 * pad,
-                       size.height + pad};
+  const auto size = page.size(words, style, where.pot.w - 2 * pad);
+  const float lowest = where.portrait ? where.words.y : where.all.y + where.all.h;
+  const float y = std::min(pot.y + pot.h + 0.5f * pad, lowest - size.height - 1.5f * pad);
+  const float middle = where.pot.x + where.pot.w / 2;
+  const view::Rect box{middle - size.width / 2 - pad, y, size.width + 2 * pad, size.height + pad};
   page.draw(view::Box{box, t.body * 0.3f, view::with_alpha(view::kPlaster, 0.85f * shown), 0, {}});
-  page.words({room.x, box.y + pad / 2, room.w, size.height}, word, style,
+  page.words({where.pot.x + pad, y + pad / 2, where.pot.w - 2 * pad, size.height}, words, style,
              view::with_alpha(view::kInk, shown));
+  page.tell(y, words);
 }
 
 }  // namespace onggi::screens

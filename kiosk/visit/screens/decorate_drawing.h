@@ -30,10 +30,13 @@ void draw_mark(Page& page, const SeenPot& seen, double along);
 void draw_finger(Page& page, const SeenPot& seen, const decorating::Example::Finger& finger);
 
 /// Faint short strokes where the makers of the vessel began, those that the held tool could make.
-/// None in a zone that was touched.
-void draw_starts(Page& page, const SeenPot& seen, std::span<const decoration::Start> starts);
+/// None in a zone that was touched. True if any is there.
+bool draw_starts(Page& page, const SeenPot& seen, std::span<const decoration::Start> starts);
 
-/// A word over the pot, `shown` 0..1.
-void draw_word(Page& page, const std::string& word, float shown);
+/// What of the page the pot's outside covers, from the lip to the foot.
+view::Rect seen_box(const SeenPot& seen);
+
+/// Words under the foot, where they cover nothing of the pot: `shown` 0..1, letters of `px`.
+void draw_word(Page& page, const SeenPot& seen, const std::string& words, float px, float shown);
 
 }  // namespace onggi::screens

@@ -89,9 +89,10 @@ class Decorate final : public Screen {
                        !pot_->bare() && desk.now > std::max(since_ + kGoodWhile, used_ + kRead));
     camera_ = picture_.camera(page);
     camera_->elevation += table_.tilt();
+    bool begins = false;
     if (const ShelfCard* card = desk.shelf_card(desk.card);
         card != nullptr && card->vessel != nullptr && !example_.shows())
-      draw_starts(page, seen(), card->vessel->starts);
+      begins = draw_starts(page, seen(), card->vessel->starts);
     if (example_.finger()) draw_finger(page, seen(), *example_.finger());
     const bool marks = marks_ || StrokeBoard::wanted(desk);
     if (keyed || marks) draw_mark(page, seen(), mark_);
@@ -99,7 +100,8 @@ class Decorate final : public Screen {
       page.tell(
           page.where().pot.y,
           desk.say("decorate.at", {{"mm", std::to_string(std::lround(1000 * mark_row().height))}}));
-    tell_state(page);
+    if (!tell_state(page) && begins && pot_->bare())
+      draw_word(page, seen(), desk.say("decorate.starts"), page.type().body, 1.0f);
   }
 
   void press(const std::string& control) override {
@@ -223,13 +225,14 @@ class Decorate final : public Screen {
     if (now > state_) told_at_ = desk.now;
     state_ = now;
   }
-  void tell_state(Page& page) const {
+  bool tell_state(Page& page) const {
     const double since = desk.now - told_at_;
-    if (since > kWord || state_ == WayTool::soft) return;
+    if (since > kWord || state_ == WayTool::soft) return false;
     const std::string word = desk.say(std::string("decorate.state_") + kStateNames[state_]);
     const double shown = std::min(since, kWord - since) / kWordFades;
-    draw_word(page, word, desk.still() ? 1.0f : static_cast<float>(std::clamp(shown, 0.0, 1.0)));
-    page.tell(page.where().pot.y, word);
+    draw_word(page, seen(), word, page.type().lead,
+              desk.still() ? 1.0f : static_cast<float>(std::clamp(shown, 0.0, 1.0)));
+    return true;
   }
 
   /// The outside's length, m.

@@ -367,6 +367,42 @@ TEST(DecorateScreen, AWordSaysThatTheClayHasComeFurtherAndGoesByItself) {
   EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
 }
 
+TEST(DecorateScreen, NoWordCoversTheRimOfATallPotNorAnyOfIt) {
+  for (const auto& [width, height] : {std::pair{1280, 720}, {1080, 1920}, {1920, 1080}})
+    for (const float tilt : {0.0f, 400.0f}) {
+      Decorator v("porcelain");
+      v.width = width;
+      v.height = height;
+      v.show();
+      v.touch("result.keep");
+      v.frames(1);
+      if (tilt > 0) {
+        using Kind = view::InputEvent::Kind;
+        const auto [x, y] = v.middle();
+        v.finger(0, Kind::pointer_down, x - 40, y);
+        v.show();
+        v.finger(1, Kind::pointer_down, x + 40, y);
+        for (const int finger : {0, 1})
+          v.finger(finger, Kind::pointer_move, x - 40 + 80.0f * static_cast<float>(finger),
+                   y + tilt);
+        v.show();
+        for (const int finger : {1, 0}) v.finger(finger, Kind::pointer_up, x, y + tilt);
+        v.show();
+      }
+      v.stroke(20, 20);
+      const auto box = v.box_of("It has been fired once.");
+      ASSERT_TRUE(box) << width;
+      EXPECT_FALSE(v.covers_pot(*box)) << width << " " << tilt;
+      EXPECT_GE(box->x, 0) << width;
+      EXPECT_LE(box->y + box->h, static_cast<float>(height)) << width << " " << tilt;
+      for (const auto& [id, rect] : v.visit->controls())
+        EXPECT_TRUE(id == "decorate.mark" || rect.y >= box->y + box->h ||
+                    rect.x >= box->x + box->w || rect.x + rect.w <= box->x ||
+                    rect.y + rect.h <= box->y)
+            << width << " " << id;
+    }
+}
+
 TEST(DecorateScreen, TheButtonForMoreToolsAlsoNamesTheWayBack) {
   Decorator v;
   v.touch("result.keep");
@@ -417,8 +453,14 @@ TEST(DecorateScreen, StartsOfTheVesselsMakersAreHintedUntilTheirZoneIsTouched) {
   v.frames(1);
   EXPECT_GE(v.faint_strokes(), 2);
   EXPECT_LE(v.faint_strokes(), 5);
+  const std::string said = "Begin at the pale marks, as its makers did.";
+  ASSERT_TRUE(v.box_of(said)) << words_in(v.frame);
+  EXPECT_FALSE(v.covers_pot(*v.box_of(said)));
+  const auto told = v.visit->reading().words;
+  EXPECT_NE(std::ranges::find(told, said), told.end());
   v.stroke(10, 30);
   EXPECT_EQ(v.faint_strokes(), 0);
+  EXPECT_FALSE(v.box_of(said));
   v.touch("decorate.undo");
   v.show();
   EXPECT_GE(v.faint_strokes(), 2);
