@@ -92,9 +92,22 @@ void draw_mark(Page& page, const SeenPot& seen, double along) {
         {row.radius * std::cos(angle), row.height, row.radius * std::sin(angle)});
     if (at) line.points.push_back(*at);
   }
-  line.colors = {view::kCobalt};
+  // Seen on dark clay and on white slip.
+  line.colors = {view::kPlaster};
+  line.width = page.type().body / 3.5f;
+  page.draw(line);
+  line.colors = {view::kInk};
   line.width = page.type().body / 9.0f;
   page.draw(std::move(line));
+  // Where Enter puts it.
+  const auto front = seen.pixel({along, seen.front()});
+  if (!front) return;
+  const float side = page.type().body * 0.7f;
+  page.draw(view::Box{{front->first - side / 2, front->second - side / 2, side, side},
+                      side / 2,
+                      view::kPlaster,
+                      std::max(2.0f, side / 6),
+                      view::kInk});
 }
 
 void draw_finger(Page& page, const SeenPot& seen, const decorating::Example::Finger& finger) {

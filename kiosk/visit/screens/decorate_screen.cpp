@@ -81,14 +81,15 @@ class Decorate final : public Screen {
   void lay_out(Page& page) override {
     if (pot_ == nullptr) return;
     const std::string arrows = desk.screen().one_switch ? "" : desk.say("help.decorate_keys");
-    page.control({kMark, page.where().pot, desk.say("decorate.here"), {}, arrows, true});
+    camera_ = picture_.camera(page);
+    camera_->elevation += table_.tilt();
+    page.control(
+        {kMark, touchable(seen_box(seen()), page), desk.say("decorate.here"), {}, arrows, true});
     const bool keyed = page.focused(kMark);
     table_.keyed(keyed);
     // The tool's own words come first.
     lay_out_decorating(page, desk, *pot_, example_.shows(),
                        !pot_->bare() && desk.now > std::max(since_ + kGoodWhile, used_ + kRead));
-    camera_ = picture_.camera(page);
-    camera_->elevation += table_.tilt();
     bool begins = false;
     if (const ShelfCard* card = desk.shelf_card(desk.card);
         card != nullptr && card->vessel != nullptr && !example_.shows())
@@ -235,6 +236,13 @@ class Decorate final : public Screen {
     return true;
   }
 
+  /// No smaller than a finger needs, and on the page.
+  static view::Rect touchable(view::Rect pot, const Page& page) {
+    const float w = std::max(pot.w, page.type().target), h = std::max(pot.h, page.type().target);
+    const view::Rect& all = page.where().all;
+    return {std::clamp(pot.x - (w - pot.w) / 2, all.x, all.x + all.w - w),
+            std::clamp(pot.y - (h - pot.h) / 2, all.y, all.y + all.h - h), w, h};
+  }
   /// The outside's length, m.
   double outside() const { return pot_->outside(); }
   void move_mark(double by) { mark_ = std::clamp(mark_ + by, 0.004, outside() - 0.002); }

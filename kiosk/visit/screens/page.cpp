@@ -233,7 +233,16 @@ void Page::control(const Control& control) {
   if (sheet_.attention.pressed == control.id)
     draw(view::Box{
         control.rect, type().body * 0.14f, view::with_alpha(view::kCobalt, 0.08f), 0, {}});
-  if (focused(control.id)) focus_ring(control.rect);
+  if (!focused(control.id)) return;
+  // Drawn over a picture, so a pale edge shows the ring on a dark one, too.
+  const float line = std::max(3.0f, type().hairline * 3), out = type().gap * 0.4f + 0.7f * line;
+  const Rect& r = control.rect;
+  draw(view::Box{{r.x - out, r.y - out, r.w + 2 * out, r.h + 2 * out},
+                 type().body * 0.3f,
+                 {0, 0, 0, 0},
+                 2.4f * line,
+                 view::kPlaster});
+  focus_ring(control.rect);
 }
 
 std::vector<std::string> Page::told() const {

@@ -168,11 +168,12 @@ TEST(DecorateScreen, AFingerBesideThePotTurnsItAndLeavesNoMark) {
   v.touch("result.keep");
   v.frames(1);
   const double before = v.frame.pot->clay_angle;
-  const view::Rect room = *v.visit->control("decorate.mark");
-  v.down(room.x + 4, room.y + 40);
-  v.move(room.x + 104, room.y + 40);
+  const view::Rect pot = *v.visit->control("decorate.mark");
+  const float x = pot.x + pot.w + 20, y = pot.y + 40;
+  v.down(x, y);
+  v.move(x + 100, y);
   v.show();
-  v.up(room.x + 104, room.y + 40);
+  v.up(x + 100, y);
   v.show();
   EXPECT_NE(v.frame.pot->clay_angle, before);
   EXPECT_TRUE(v.pot()->bare());
@@ -234,6 +235,23 @@ TEST(DecorateScreen, ItGoesByKeyboardAlone) {
   v.key(view::Key::enter);
   v.frames(1);
   EXPECT_EQ(v.pot()->did()[0].times, 2);
+}
+
+TEST(DecorateScreen, AVisitorWithKeysSeesWhereTheMarkIsOnClayOfAnyColour) {
+  Decorator v;
+  v.touch("result.keep");
+  const auto seen = [&](view::Color color, std::size_t points) {
+    return std::ranges::any_of(v.frame.items, [&](const view::Item& item) {
+      const auto* line = std::get_if<view::Line>(&item);
+      return line != nullptr && line->points.size() > points &&
+             view::same_hue(line->colors.front(), color) && line->colors.front().a > 0.9f;
+    });
+  };
+  EXPECT_FALSE(seen(view::kPlaster, 20));
+  for (int n = 0; n < 8 && v.visit->focus() != "decorate.mark"; ++n) v.key(view::Key::right);
+  ASSERT_EQ(v.visit->focus(), "decorate.mark");
+  EXPECT_TRUE(seen(view::kPlaster, 20)) << "on dark clay";
+  EXPECT_TRUE(seen(view::kInk, 20)) << "on white slip";
 }
 
 TEST(DecorateScreen, WhoHearsThePageMovesAMarkByButtons) {
