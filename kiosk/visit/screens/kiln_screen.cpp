@@ -206,10 +206,11 @@ class KilnScreen final : public Screen {
   /// Which glazes hide the drawing; "" if none does.
   std::string hidden_in_words() const {
     std::string names;
-    for (const int i : kiln_.order)
-      if (hides_[static_cast<std::size_t>(i)])
-        names += (names.empty() ? "" : desk.say("decorate.and")) +
-                 glaze_at(i).name_in(desk.words().code());
+    for (const int i : kiln_.order) {
+      if (!hides_[static_cast<std::size_t>(i)]) continue;
+      const std::string& name = glaze_at(i).name_in(desk.words().code());
+      names = names.empty() ? name : desk.say("all.list", {{"first", names}, {"second", name}});
+    }
     return names.empty() ? names : desk.say("kiln.hides", {{"names", names}});
   }
 
@@ -223,7 +224,11 @@ class KilnScreen final : public Screen {
     const TypeScale& t = page.type();
     float most = 0;
     const auto height = [&](const std::string& words, float px, Face face) {
-      return page.size(words, page.style(face, px), std::min(room.w, px * 0.52f * 55.0f)).height;
+      const float width = std::min(room.w, px * 0.52f * 55.0f);
+      const auto size = page.size(words, page.style(face, px), width);
+      // A long word, too: else the page would be set smaller when it comes.
+      if (size.width > width + 1) page.overflowed();
+      return size.height;
     };
     for (const content::Glaze& glaze : *kiln_.glazes)
       most = std::max(most, height(glaze.name_in(desk.words().code()), t.title, Face::serif) +

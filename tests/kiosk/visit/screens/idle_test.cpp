@@ -15,7 +15,7 @@ TEST(Idle, TheWarningIsSeenForAtLeastTwentySecondsAndThenNothingOfTheVisitorIsLe
   v.visit->show_postcard(42);
   v.speak("ko");
   v.requests();
-  v.frames(v.exhibit.idle.result_after + 0.5);
+  v.frames(v.exhibit.idle.result_after - 0.6);
   ASSERT_TRUE(v.visit->idle_warning());
   double seen = 0;
   while (v.visit->screen() != ScreenId::attract && seen < 100) {

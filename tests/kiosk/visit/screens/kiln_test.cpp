@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "kiosk/picture/render/text.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
 namespace onggi::screens {
@@ -34,6 +36,49 @@ TEST(KilnScreen, APotDriesWhileItsGlazeIsBeingChosenAndIsNotFiredWithoutOne) {
   EXPECT_NEAR(v.pot().size, 0.9375, 1e-9);
   EXPECT_EQ(v.pot().finish, Finish::clay);
   EXPECT_FALSE(v.pot().wheel) << "it was cut off and stands by itself";
+}
+
+TEST(KilnScreen, NothingBesideThePotMovesFromTheChoiceOfAGlazeToTheEndOfTheFiring) {
+  const render::Typesetter fonts;
+  for (const std::filesystem::path file :
+       {"content/languages/de.toml", "content/languages/ja.toml"})
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1080, 1920}})
+      for (const bool decorated : {false, true}) {
+        Visitor v(2, &fonts, true);
+        v.languages = {*content::Language::read(file)};
+        v.width = width, v.height = height;
+        if (decorated) v.offer("celadon");
+        v.make_result();
+        v.frames(0.5);
+        v.touch("result.keep");
+        if (decorated) {
+          v.touch("decorate.mark");
+          v.touch("decorate.on");
+        }
+        v.frames(0.5);
+        v.touch("kiln.glaze.1");
+        v.frames(0.2);
+        const auto before = v.visit->controls();
+        const auto title = [&] {
+          for (const view::Item& item : v.frame.items)
+            if (const auto* text = std::get_if<view::Text>(&item);
+                text != nullptr && text->style.face == view::Face::serif)
+              return text->box;
+          return view::Rect{};
+        };
+        const view::Rect title_before = title();
+        for (int n = 0; n < 24; ++n) {
+          v.frames(0.5);
+          const std::string where =
+              file.string() + " " + std::to_string(width) + (decorated ? " decorated" : "");
+          ASSERT_EQ(v.visit->controls().size(), before.size()) << where;
+          for (std::size_t k = 0; k < before.size(); ++k)
+            ASSERT_TRUE(v.visit->controls()[k].second == before[k].second)
+                << where << " " << before[k].first << " " << n << " "
+                << v.visit->controls()[k].second.y - before[k].second.y;
+          ASSERT_EQ(title().y, title_before.y) << where << " " << n;
+        }
+      }
 }
 
 TEST(KilnScreen, ThereAreAtLeastThreeGlazesAndEachOneFiresThePot) {
@@ -111,6 +156,26 @@ TEST(KilnScreen, TheThrownSizeIsALineOnlyWhereTheWordsSaySo) {
   v.frames(10);
   EXPECT_GT(lines(), without);
   EXPECT_NE(words_in(v.frame).find("thin line"), std::string::npos) << words_in(v.frame);
+}
+
+TEST(KilnScreen, TheWordsAreThoseOfAPersonWhoTalks) {
+  KilnVisitor v;
+  v.offer("porcelain");
+  v.make_result();
+  v.touch("result.keep");
+  v.touch("decorate.mark");
+  v.frames(5);
+  v.touch("decorate.tool.1");
+  v.touch("decorate.mark");
+  v.frames(5);
+  v.touch("decorate.on");
+  const std::string said = words_in(v.frame);
+  EXPECT_NE(said.find("Your pot is drying"), std::string::npos) << said;
+  EXPECT_NE(said.find("You decorated it yourself: bands painted, then figures painted."),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("Hides"), std::string::npos) << said;
+  EXPECT_NE(said.find("Your drawing will hardly show under Tenmoku."), std::string::npos) << said;
 }
 
 TEST(KilnScreen, WhereALanguageWritesACommaItShrankByThat) {
