@@ -162,15 +162,23 @@ view::Rect seen_box(const SeenPot& seen) {
   return {left, top, right - left, foot - top};
 }
 
+float word_top(const Page& page, const SeenPot& seen, const std::string& words, float px) {
+  const Regions& where = page.where();
+  const view::Rect pot = seen_box(seen);
+  const float pad = page.type().gap;
+  const auto size = page.size(words, page.style(view::Face::serif, px, view::Align::centre),
+                              where.pot.w - 2 * pad);
+  const float lowest = where.portrait ? where.words.y : where.all.y + where.all.h;
+  return std::min(pot.y + pot.h + 0.5f * pad, lowest - size.height - 1.5f * pad);
+}
+
 void draw_word(Page& page, const SeenPot& seen, const std::string& words, float px, float shown) {
   const TypeScale& t = page.type();
   const Regions& where = page.where();
-  const view::Rect pot = seen_box(seen);
   const auto style = page.style(view::Face::serif, px, view::Align::centre);
   const float pad = t.gap;
   const auto size = page.size(words, style, where.pot.w - 2 * pad);
-  const float lowest = where.portrait ? where.words.y : where.all.y + where.all.h;
-  const float y = std::min(pot.y + pot.h + 0.5f * pad, lowest - size.height - 1.5f * pad);
+  const float y = word_top(page, seen, words, px);
   const float middle = where.pot.x + where.pot.w / 2;
   const view::Rect box{middle - size.width / 2 - pad, y, size.width + 2 * pad, size.height + pad};
   page.draw(view::Box{box, t.body * 0.3f, view::with_alpha(view::kPlaster, 0.85f * shown), 0, {}});

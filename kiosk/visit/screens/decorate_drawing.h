@@ -36,7 +36,10 @@ bool draw_starts(Page& page, const SeenPot& seen, std::span<const decoration::St
 /// What of the page the pot's outside covers, from the lip to the foot.
 view::Rect seen_box(const SeenPot& seen);
 
-/// Words under the foot, where they cover nothing of the pot: `shown` 0..1, letters of `px`.
+/// Where such words begin, px: under the foot, or as low as the page lets them.
+float word_top(const Page& page, const SeenPot& seen, const std::string& words, float px);
+/// Words under the foot, where they cover nothing of a pot that has room under it: `shown` 0..1,
+/// letters of `px`.
 void draw_word(Page& page, const SeenPot& seen, const std::string& words, float px, float shown);
 
 }  // namespace onggi::screens

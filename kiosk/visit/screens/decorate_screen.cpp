@@ -83,8 +83,10 @@ class Decorate final : public Screen {
     const std::string arrows = desk.screen().one_switch ? "" : desk.say("help.decorate_keys");
     camera_ = picture_.camera(page);
     camera_->elevation += table_.tilt();
-    page.control(
-        {kMark, touchable(seen_box(seen()), page), desk.say("decorate.here"), {}, arrows, true});
+    view::Rect on_pot = seen_box(seen());
+    const float words = word_top(page, seen(), desk.say("decorate.starts"), page.type().lead);
+    on_pot.h = std::min(on_pot.h, words - on_pot.y);
+    page.control({kMark, touchable(on_pot, page), desk.say("decorate.here"), {}, arrows, true});
     const bool keyed = page.focused(kMark);
     table_.keyed(keyed);
     // The tool's own words come first.
