@@ -48,8 +48,8 @@ TEST(LanguagePage, TheGlobeHasOnePlaceOnEveryScreen) {
         ++seen;
         const auto here = v.visit->control("language");
         ASSERT_TRUE(here) << name;
-        EXPECT_NEAR(here->x, first->x, 0.01) << name << " " << w << "x" << h;
-        EXPECT_NEAR(here->y, first->y, 0.01) << name << " " << w << "x" << h;
+        EXPECT_NEAR(here->x, first->x, 0.01) << name << " " << v.width << "x" << v.height;
+        EXPECT_NEAR(here->y, first->y, 0.01) << name << " " << v.width << "x" << v.height;
       });
       EXPECT_GT(seen, 20);
     }

@@ -320,7 +320,9 @@ TEST(ThrowingScreen, TwoDrawersHoldAllElseAndAHandOnThePotClosesThem) {
     EXPECT_FALSE(v.visit->control(mine.front())) << "Back closes it";
     EXPECT_EQ(v.visit->screen(), ScreenId::throwing) << "and the visitor stays";
     v.touch(drawer);
-    auto [x, y] = v.seen(0.05, 0.1);
+    const auto inside = v.seen(0.05, 0.1);
+    const float x = inside.first;
+    float y = inside.second;
     // The tools lie over the pot, and a touch on one takes it up.
     const auto on_a_control = [&](const auto& one) { return one.second.contains(x, y); };
     while (std::ranges::any_of(v.visit->controls(), on_a_control)) y -= 10;
