@@ -2,72 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
-#include <optional>
 
-#include "kiosk/picture/view/palette.h"
+#include "tests/kiosk/visit/screens/decorator.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
 
 namespace onggi::screens {
 namespace {
-
-struct Decorator : Visitor {
-  explicit Decorator(const std::string& way_id = "celadon") : Visitor(2, nullptr, true) {
-    offer(way_id);
-    make_result();
-  }
-  const decorating::DecoratedPot* pot() const { return visit->decorated_pot(); }
-  /// The middle of the pot's picture.
-  std::pair<float, float> middle() const {
-    const view::Rect mark = *visit->control("decorate.mark");
-    return {mark.x + mark.w / 2, mark.y + mark.h * 0.55f};
-  }
-  void finger(int number, view::InputEvent::Kind kind, float x, float y) {
-    view::InputEvent e;
-    e.kind = kind, e.x = x, e.y = y, e.glass = true;
-    e.finger = static_cast<std::uint8_t>(number);
-    visit->input(e, now);
-  }
-  /// The box round words that stand in the frame; nothing where they do not.
-  std::optional<view::Rect> box_of(const std::string& words) const {
-    for (std::size_t n = 1; n < frame.items.size(); ++n)
-      if (const auto* text = std::get_if<view::Text>(&frame.items[n]);
-          text != nullptr && text->text == words)
-        if (const auto* box = std::get_if<view::Box>(&frame.items[n - 1])) return box->rect;
-    return std::nullopt;
-  }
-  /// Of the pot's outside, as it is seen.
-  bool covers_pot(const view::Rect& box) const {
-    const auto& surface = pot()->surface();
-    for (int row = 0; row < surface.rows(); row += 8)
-      for (int n = 0; n < 48; ++n) {
-        const double angle = n * 0.1308996938995747, radius = surface.row(row).radius;
-        const auto at = frame.pot->camera.project(
-            {radius * std::cos(angle), surface.row(row).height, radius * std::sin(angle)});
-        if (at && box.contains(at->first, at->second)) return true;
-      }
-    return false;
-  }
-  int faint_strokes() const {
-    int n = 0;
-    for (const auto& item : frame.items)
-      if (const auto* line = std::get_if<view::Line>(&item))
-        n += line->points.size() == 2 && view::same_hue(line->colors.front(), view::kPlaster) &&
-             line->colors.front().a < 1;
-    return n;
-  }
-  void stroke(float dx, float dy) {
-    const auto [x, y] = middle();
-    down(x, y);
-    for (int n = 1; n <= 10; ++n) {
-      move(x + dx * static_cast<float>(n) / 10, y + dy * static_cast<float>(n) / 10);
-      show();
-    }
-    up(x + dx, y + dy);
-    show();
-  }
-};
 
 TEST(DecorateScreen, ComesAfterTheResultAndMayBeSkipped) {
   Decorator v;
@@ -237,23 +178,6 @@ TEST(DecorateScreen, ItGoesByKeyboardAlone) {
   EXPECT_EQ(v.pot()->did()[0].times, 2);
 }
 
-TEST(DecorateScreen, AVisitorWithKeysSeesWhereTheMarkIsOnClayOfAnyColour) {
-  Decorator v;
-  v.touch("result.keep");
-  const auto seen = [&](view::Color color, std::size_t points) {
-    return std::ranges::any_of(v.frame.items, [&](const view::Item& item) {
-      const auto* line = std::get_if<view::Line>(&item);
-      return line != nullptr && line->points.size() > points &&
-             view::same_hue(line->colors.front(), color) && line->colors.front().a > 0.9f;
-    });
-  };
-  EXPECT_FALSE(seen(view::kPlaster, 20));
-  for (int n = 0; n < 8 && v.visit->focus() != "decorate.mark"; ++n) v.key(view::Key::right);
-  ASSERT_EQ(v.visit->focus(), "decorate.mark");
-  EXPECT_TRUE(seen(view::kPlaster, 20)) << "on dark clay";
-  EXPECT_TRUE(seen(view::kInk, 20)) << "on white slip";
-}
-
 TEST(DecorateScreen, WhoHearsThePageMovesAMarkByButtons) {
   Decorator v("porcelain");
   v.exhibit.screen.spoken = true;
@@ -373,54 +297,6 @@ TEST(DecorateScreen, WhoGoesOnDuringAnExampleTakesNothingOfItAlong) {
   EXPECT_EQ(v.visit->decoration(), nullptr);
 }
 
-TEST(DecorateScreen, AWordSaysThatTheClayHasComeFurtherAndGoesByItself) {
-  Decorator v("porcelain");
-  v.touch("result.keep");
-  EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
-  v.stroke(20, 20);
-  EXPECT_NE(words_in(v.frame).find("It has been fired once."), std::string::npos);
-  v.frames(4);
-  EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
-  v.stroke(20, -40);
-  EXPECT_EQ(words_in(v.frame).find("It has been fired once."), std::string::npos);
-}
-
-TEST(DecorateScreen, NoWordCoversTheRimOfATallPotNorAnyOfIt) {
-  for (const auto& [width, height] : {std::pair{1280, 720}, {1080, 1920}, {1920, 1080}})
-    for (const float tilt : {0.0f, 400.0f}) {
-      Decorator v("porcelain");
-      v.width = width;
-      v.height = height;
-      v.show();
-      v.touch("result.keep");
-      v.frames(1);
-      if (tilt > 0) {
-        using Kind = view::InputEvent::Kind;
-        const auto [x, y] = v.middle();
-        v.finger(0, Kind::pointer_down, x - 40, y);
-        v.show();
-        v.finger(1, Kind::pointer_down, x + 40, y);
-        for (const int finger : {0, 1})
-          v.finger(finger, Kind::pointer_move, x - 40 + 80.0f * static_cast<float>(finger),
-                   y + tilt);
-        v.show();
-        for (const int finger : {1, 0}) v.finger(finger, Kind::pointer_up, x, y + tilt);
-        v.show();
-      }
-      v.stroke(20, 20);
-      const auto box = v.box_of("It has been fired once.");
-      ASSERT_TRUE(box) << width;
-      EXPECT_FALSE(v.covers_pot(*box)) << width << " " << tilt;
-      EXPECT_GE(box->x, 0) << width;
-      EXPECT_LE(box->y + box->h, static_cast<float>(height)) << width << " " << tilt;
-      for (const auto& [id, rect] : v.visit->controls())
-        EXPECT_TRUE(id == "decorate.mark" || rect.y >= box->y + box->h ||
-                    rect.x >= box->x + box->w || rect.x + rect.w <= box->x ||
-                    rect.y + rect.h <= box->y)
-            << width << " " << id;
-    }
-}
-
 TEST(DecorateScreen, TheButtonForMoreToolsAlsoNamesTheWayBack) {
   Decorator v;
   v.touch("result.keep");
@@ -459,29 +335,6 @@ TEST(DecorateScreen, TwoFingersTurnAndTiltThePotAndDrawNothing) {
   v.finger(0, Kind::pointer_up, x + 20, y + 40);
   v.show();
   EXPECT_FALSE(v.pot()->bare());
-}
-
-TEST(DecorateScreen, StartsOfTheVesselsMakersAreHintedUntilTheirZoneIsTouched) {
-  Decorator v;
-  decoration::Start start;
-  start.at = 0.5, start.reach = 0.3, start.repeats = 8;
-  start.from = {0.0, -0.02}, start.to = {0.0, 0.01};
-  v.vessels[0].starts = {start};
-  v.touch("result.keep");
-  v.frames(1);
-  EXPECT_GE(v.faint_strokes(), 2);
-  EXPECT_LE(v.faint_strokes(), 5);
-  const std::string said = "Begin at the pale marks, as its makers did.";
-  ASSERT_TRUE(v.box_of(said)) << words_in(v.frame);
-  EXPECT_FALSE(v.covers_pot(*v.box_of(said)));
-  const auto told = v.visit->reading().words;
-  EXPECT_NE(std::ranges::find(told, said), told.end());
-  v.stroke(10, 30);
-  EXPECT_EQ(v.faint_strokes(), 0);
-  EXPECT_FALSE(v.box_of(said));
-  v.touch("decorate.undo");
-  v.show();
-  EXPECT_GE(v.faint_strokes(), 2);
 }
 
 TEST(DecorateScreen, NothingOfAnyWayIsCutAtAnySize) {

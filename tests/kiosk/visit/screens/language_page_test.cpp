@@ -29,6 +29,13 @@ struct EightLanguages : Visitor {
         all[language.code()] = *rect;
     return all;
   }
+  void decorate() {
+    offer("porcelain");
+    make_result();
+    frames(1);
+    touch("result.keep");
+    frames(1);
+  }
 };
 
 TEST(LanguagePage, TheGlobeHasOnePlaceOnEveryScreen) {
@@ -115,11 +122,7 @@ TEST(LanguagePage, ASecondTouchWhereThePageHadAControlDoesNotSendThePotOn) {
   for (const auto& [w, h] : {std::pair{1280, 720}, {1080, 1920}})
     for (const char* chosen : {"language.en", "language.ko", "language.de", "language.ar"}) {
       EightLanguages v(w, h);
-      v.offer("porcelain");
-      v.make_result();
-      v.frames(1);
-      v.touch("result.keep");
-      v.frames(1);
+      v.decorate();
       ASSERT_EQ(v.visit->screen(), ScreenId::decorate);
       v.touch("language");
       v.frames(0.5);
@@ -144,11 +147,7 @@ TEST(LanguagePage, ASecondTouchWhereThePageHadAControlDoesNotSendThePotOn) {
 TEST(LanguagePage, BackStandsWhereItStandsOnOtherScreensAndNotOnTheWayOn) {
   for (const auto& [w, h] : {std::pair{1280, 720}, {1080, 1920}, {1920, 1080}}) {
     EightLanguages v(w, h);
-    v.offer("porcelain");
-    v.make_result();
-    v.frames(1);
-    v.touch("result.keep");
-    v.frames(1);
+    v.decorate();
     const Rect back = *v.visit->control("back"), on = *v.visit->control("decorate.on");
     v.touch("language");
     const Rect close = *v.visit->control("language.close");
