@@ -224,11 +224,7 @@ class KilnScreen final : public Screen {
     const TypeScale& t = page.type();
     float most = 0;
     const auto height = [&](const std::string& words, float px, Face face) {
-      const float width = std::min(room.w, px * 0.52f * 55.0f);
-      const auto size = page.size(words, page.style(face, px), width);
-      // A long word, too: else the page would be set smaller when it comes.
-      if (size.width > width + 1) page.overflowed();
-      return size.height;
+      return page.size(words, page.style(face, px), std::min(room.w, px * 0.52f * 55.0f)).height;
     };
     for (const content::Glaze& glaze : *kiln_.glazes)
       most = std::max(most, height(glaze.name_in(desk.words().code()), t.title, Face::serif) +
