@@ -258,6 +258,9 @@ def check_layout(root, table):
             if (mirrored is None or table.row(mirrored) is None) and own not in names:
                 broken.append(f"{name}: no program runs it. Tests lie where their room lies: "
                               "tests/engine/clay/clay_test.cpp.")
+            if re.search(r"\bTempDir\(\)|\btemp_directory_path\(\)", "\n".join(read_lines(root, name))):
+                broken.append(f"{name}: tests run beside each other, and two of them may name one file. "
+                              "Write into a ScratchFolder (tests/kiosk/ground/files).")
     return broken, f"{len(names)} files lie where the house has a place for them"
 
 

@@ -330,6 +330,10 @@ class House(unittest.TestCase):
         self.write("tests/clay_test.cpp", "")
         self.assert_broken("layout", "no program runs it")
 
+    def test_a_test_that_writes_where_another_may_fails(self):
+        self.write("tests/engine/clay/clay_test.cpp", "std::ofstream(testing::TempDir() + \"a.toml\");\n")
+        self.assert_broken("layout", "ScratchFolder")
+
     @unittest.skipUnless(shutil.which("clang-format-14"), "clang-format-14 is not here")
     def test_a_badly_formatted_file_fails(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")

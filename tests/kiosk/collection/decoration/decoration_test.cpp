@@ -5,11 +5,14 @@
 #include <fstream>
 #include <string>
 
+#include "tests/kiosk/ground/files/scratch_folder.h"
+
 namespace onggi::decoration {
 namespace {
 
 DecorationRead read(const std::string& text) {
-  const std::string file = testing::TempDir() + "decoration.toml";
+  const files::test::ScratchFolder folder;
+  const std::string file = folder / "decoration.toml";
   std::ofstream(file) << text;
   return check_decoration(file);
 }

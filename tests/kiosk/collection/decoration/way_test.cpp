@@ -6,13 +6,16 @@
 #include <fstream>
 #include <string>
 
+#include "tests/kiosk/ground/files/scratch_folder.h"
+
 namespace onggi::decoration {
 namespace {
 
 const std::vector<std::string> kLanguages{"en", "ko", "es", "fr", "de", "ja", "zh", "ar"};
 
 WayRead read(const std::string& text, const std::vector<std::string>& languages = {"en"}) {
-  const std::string file = testing::TempDir() + "trial.toml";
+  const files::test::ScratchFolder folder;
+  const std::string file = folder / "trial.toml";
   std::ofstream(file) << text;
   return read_way(file, languages);
 }
@@ -238,9 +241,8 @@ TEST(Way, HasSixToolsAtOnceAndAsManyMore) {
 }
 
 TEST(Way, ATextThatALanguageLacksIsNamed) {
-  std::ofstream(testing::TempDir() + "trial.toml")
-      << kHead << tool("id = \"a\"\nlaw = \"scrape\"\nhand = \"ring\"\n");
-  const WayRead found = read_way(testing::TempDir() + "trial.toml", {"en", "de"});
+  const WayRead found =
+      read(kHead + tool("id = \"a\"\nlaw = \"scrape\"\nhand = \"ring\"\n"), {"en", "de"});
   EXPECT_EQ(found.problems.size(), 8u);
   EXPECT_NE(found.problems[0].what.find("\"de\""), std::string::npos);
 }

@@ -2,18 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
+
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::toml {
 namespace {
 
 std::vector<TextAt> texts_in(const std::string& toml) {
-  const auto file = std::filesystem::temp_directory_path() / "onggi_texts_of_test.toml";
+  const files::test::ScratchFolder folder;
+  const auto file = folder / "some.toml";
   std::ofstream(file) << toml;
   auto texts = texts_of(file);
   for (TextAt& text : texts) text.where.erase(0, file.string().size());
-  std::filesystem::remove(file);
   return texts;
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +27,7 @@
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/ground/files/disk.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::souvenir {
 namespace {
@@ -251,13 +251,12 @@ TEST(stl, a_thrown_pot_is_one_closed_body_for_another_reader_too_in_mm_and_of_th
   ASSERT_GT(clay.mean_outer(clay.rows() / 2), 0.05) << "it was thrown";
 
   const auto bytes = Kept(mesh_of(clay), "thrown").stl();
-  const auto file =
-      std::filesystem::temp_directory_path() / ("onggi_stl_" + std::to_string(getpid()) + ".stl");
+  const files::test::ScratchFolder folder;
+  const auto file = folder / "thrown.stl";
   std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()),
              static_cast<std::streamsize>(bytes.size()));
   auto said = admesh(file);
-  std::filesystem::remove(file);
   ASSERT_FALSE(said.empty());
   EXPECT_EQ(said.at("Number of parts"), 1);
   for (const char* mended :
