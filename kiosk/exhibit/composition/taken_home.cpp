@@ -226,7 +226,10 @@ bool TakingHome::draw_next(const settings::Exhibit& exhibit, const ClayView& cla
   // The rows on the wheel are drawn, not the fired ones, because a picture shows no size.
   switch (next_) {
     case Next::words:
-      if (compose(renderer)) next_ = Next::postcard;
+      if (compose(renderer)) next_ = Next::room;
+      return true;
+    case Next::room:
+      if (!renderer.prepare_offscreen(card_)) next_ = Next::postcard;
       return true;
     case Next::postcard:
       keepsake.postcard = renderer.draw_offscreen(card_);

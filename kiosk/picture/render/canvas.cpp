@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <span>
 
 namespace onggi::render {
@@ -80,7 +79,7 @@ void Canvas::resize(int width, int height) {
   before_ = Target();
   ground_ = Target();
   of_ground_.reset();
-  has_before_ = painted_ = false;
+  has_before_ = painted_ = composed_ = false;
 }
 
 const Target& Canvas::kept(Target& target) const {
@@ -88,15 +87,18 @@ const Target& Canvas::kept(Target& target) const {
   return target;
 }
 
-void Canvas::paint_pot(Stage& stage, const view::Frame& frame, const Quality& quality,
-                       double scale) {
+void Canvas::make_space(const view::Frame& frame, const Quality& quality, double scale) {
   const int w = std::max(1, static_cast<int>(std::lround(frame.width * scale)));
   const int h = std::max(1, static_cast<int>(std::lround(frame.height * scale)));
-  if (space_.width() != w || space_.height() != h || samples_ != quality.samples) {
-    samples_ = quality.samples;
-    space_ = Target();
-    space_ = Target(w, h, true, samples_);
-  }
+  if (space_.width() == w && space_.height() == h && samples_ == quality.samples) return;
+  samples_ = quality.samples;
+  space_ = Target();
+  space_ = Target(w, h, true, samples_);
+}
+
+void Canvas::paint_pot(Stage& stage, const view::Frame& frame, const Quality& quality,
+                       double scale) {
+  make_space(frame, quality, scale);
   if (samples_ == 0) {
     glDisable(GL_SCISSOR_TEST);
     stage.prepare_edges(*frame.pot, scale);
@@ -142,23 +144,40 @@ void Canvas::turn_to(const view::Frame& frame, const Painters& with) {
   resize(frame.width, frame.height);
   if (!painted_ || frame.screen_serial == frame_.screen_serial) return;
   frame_.fade = 0;
+  composed_ = false;
   compose(kept(before_).framebuffer(), with);
   has_before_ = true;
   frame_.screen_serial = frame.screen_serial;  // kept once
+}
+
+void Canvas::paint_plaster(const Painters& with, const view::Frame& frame) {
+  // It depends on its size and on the light's direction.
+  const bool window_right = frame.pot && frame.pot->window_right;
+  if (plaster_.width() != 0 && plaster_right_ == window_right) return;
+  if (plaster_.width() == 0) plaster_ = Target(frame.width, frame.height, false, 0);
+  plaster_right_ = window_right;
+  plaster_.bind();
+  with.stage.backdrop().draw_plaster(frame.width, frame.height, window_right);
+}
+
+bool Canvas::prepare(const Painters& with, const view::Frame& frame, const Quality& quality,
+                     double scale) {
+  turn_to(frame, with);
+  if (plaster_.width() == 0) {
+    paint_plaster(with, frame);
+    kept(picture_);
+    if (frame.pot) kept(ground_);
+    return frame.pot.has_value();
+  }
+  if (frame.pot) make_space(frame, quality, scale);
+  return false;
 }
 
 void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality& quality,
                    double scale, Onto onto, Space space) {
   Stage& stage = with.stage;
   turn_to(frame, with);
-  // The plaster depends on its size and on the light's direction.
-  const bool window_right = frame.pot && frame.pot->window_right;
-  if (plaster_.width() == 0 || plaster_right_ != window_right) {
-    if (plaster_.width() == 0) plaster_ = Target(frame.width, frame.height, false, 0);
-    plaster_right_ = window_right;
-    plaster_.bind();
-    stage.backdrop().draw_plaster(frame.width, frame.height, window_right);
-  }
+  paint_plaster(with, frame);
   frame_ = frame;
   painted_ = true;
 
@@ -178,7 +197,8 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
     paint_pot(stage, frame, quality, scale);
     glDisable(GL_SCISSOR_TEST);
   }
-  compose(onto == Onto::window ? 0 : kept(picture_).framebuffer(), with);
+  composed_ = onto == Onto::own;
+  compose(composed_ ? kept(picture_).framebuffer() : 0, with);
 }
 
 void Canvas::compose(GLuint framebuffer, const Painters& with) {
@@ -214,16 +234,17 @@ void Canvas::show(const Painters& with) {
 view::Image Canvas::read(const Painters& with) {
   view::Image image{painted_ ? frame_.width : 0, painted_ ? frame_.height : 0, {}};
   const auto row = static_cast<std::size_t>(image.width) * 4;
-  std::vector<std::uint8_t> rows(row * static_cast<std::size_t>(image.height));
-  if (rows.empty()) return image;
-  compose(kept(picture_).framebuffer(), with);
+  image.rgba.resize(row * static_cast<std::size_t>(image.height));
+  if (image.rgba.empty()) return image;
+  if (!composed_) compose(kept(picture_).framebuffer(), with);
   calls::bind_framebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
-  image.rgba.resize(rows.size());
-  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-    std::memcpy(&image.rgba[y * row], &rows[rows.size() - (y + 1) * row], row);
-  }
+  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  // OpenGL's first row is the lowest. Turned in place: a second picture's memory costs more.
+  auto low = image.rgba.begin(), high = image.rgba.end() - static_cast<std::ptrdiff_t>(row);
+  for (; low < high;
+       low += static_cast<std::ptrdiff_t>(row), high -= static_cast<std::ptrdiff_t>(row))
+    std::swap_ranges(low, low + static_cast<std::ptrdiff_t>(row), high);
   // The ground is plaster everywhere, so the alpha that layers leave has no meaning.
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
   return image;

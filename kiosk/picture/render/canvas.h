@@ -31,6 +31,10 @@ class Canvas {
   /// Keeps the last painted screen for the fade, if `frame` shows another screen. paint() does this
   /// too; call it earlier if other pictures are painted in between.
   void turn_to(const view::Frame& frame, const Painters& with);
+  /// Allocates a part of what the frame needs; true: there is more. Without a GPU it is most of a
+  /// large picture's work at full quality, because the driver writes zeros to all of it.
+  bool prepare(const Painters& with, const view::Frame& frame, const Quality& quality,
+               double scale = 1.0);
   /// The window's back buffer must have the frame's size.
   void paint(const Painters& with, const view::Frame& frame, const Quality& quality, double scale,
              Onto onto, Space space = Space::draw);
@@ -41,6 +45,8 @@ class Canvas {
 
  private:
   void resize(int width, int height);
+  void paint_plaster(const Painters& with, const view::Frame& frame);
+  void make_space(const view::Frame& frame, const Quality& quality, double scale);
   void paint_pot(Stage& stage, const view::Frame& frame, const Quality& quality, double scale);
   /// The ground under `pot`, renewed if it has changed.
   void paint_ground(Stage& stage, const view::PotView& pot);
@@ -65,6 +71,7 @@ class Canvas {
   view::Frame frame_;  ///< As last painted,
   view::Rect solid_;   ///< and its part with the 3-D picture.
   bool painted_ = false, has_before_ = false, plaster_right_ = false;
+  bool composed_ = false;  ///< picture_ is the frame as last painted.
 };
 
 /// The part of a width x height frame that the pot, its wheel and held tools can reach, with or

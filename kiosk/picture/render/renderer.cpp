@@ -25,6 +25,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kPictureSamples = 4;
 constexpr auto kStands = std::chrono::milliseconds(25);
 constexpr auto kShownAgain = std::chrono::milliseconds(500);
+constexpr std::uint64_t kOffscreenFrames = 120;  ///< A second postcard comes sooner.
 
 double ms_since(Clock::time_point then) {
   return std::chrono::duration<double, std::milli>(Clock::now() - then).count();
@@ -94,13 +95,13 @@ class GlRenderer final : public Renderer {
 
   view::Image read_pixels() override { return screen_.read(painters()); }
 
+  bool prepare_offscreen(const view::Frame& frame) override {
+    return offscreen().prepare(painters(), alone(frame), Quality{});
+  }
+
   view::Image draw_offscreen(const view::Frame& frame) override {
-    view::Frame still = frame;
-    still.fade = 0;
-    still.width = std::clamp(frame.width, 1, 4096);
-    still.height = std::clamp(frame.height, 1, 4096);
-    Canvas canvas;
-    canvas.paint(painters(), still, Quality{}, 1.0, Canvas::Onto::own);
+    Canvas& canvas = offscreen();
+    canvas.paint(painters(), alone(frame), Quality{}, 1.0, Canvas::Onto::own);
     return canvas.read(painters());
   }
 
@@ -161,6 +162,18 @@ class GlRenderer final : public Renderer {
     if (!software_) return {};
     return {.samples = 0, .shadow_apart = 0.001};
   }
+  Canvas& offscreen() {
+    offscreen_until_ = frames_ + kOffscreenFrames;
+    return offscreen_ ? *offscreen_ : offscreen_.emplace();
+  }
+  /// Of no screen, so that none fades.
+  static view::Frame alone(view::Frame frame) {
+    frame.fade = 0;
+    frame.screen_serial = 0;
+    frame.width = std::clamp(frame.width, 1, 4096);
+    frame.height = std::clamp(frame.height, 1, 4096);
+    return frame;
+  }
   /// It can be drawn straight into the window.
   bool fits(const view::Frame& frame) const {
     return window_->visible() && frame.width == window_->width() &&
@@ -184,6 +197,8 @@ class GlRenderer final : public Renderer {
   view::PictureId last_picture_ = 0;
   std::vector<view::PictureId> dropped_;
   Canvas screen_;
+  std::optional<Canvas> offscreen_;
+  std::uint64_t offscreen_until_ = 0;  ///< The frame at which it goes.
   Pacing pacing_{15.0, 7.0};
   std::string device_;
   bool software_ = false, full_quality_ = false, drawn_full_ = false, shading_ = false;
@@ -247,7 +262,7 @@ void GlRenderer::present() {
   // A mean over about a second. It starts with the second frame, because the first one compiles
   // shaders.
   if (timed_) mean_ms_ = frames_ < 2 ? ms : mean_ms_ + 0.08 * (ms - mean_ms_);
-  ++frames_;
+  if (++frames_ > offscreen_until_) offscreen_.reset();
   if (full_quality_) return;
   if (timed_) pacing_.frame(ms);
   // Draw no more frames than the eye or the machine can use: the 1 kHz loop needs the rest.

@@ -82,8 +82,11 @@ class Renderer {
   virtual void present() = 0;
   /// The back buffer as drawn.
   virtual view::Image read_pixels() = 0;
+  /// Makes a part of the room that draw_offscreen(frame) needs; true: call it again. For a large
+  /// picture call it once a frame: without a GPU all of it takes three quarters of a second.
+  virtual bool prepare_offscreen(const view::Frame& frame) = 0;
   /// Draws `frame` (its own width and height, up to 4096) off screen at full quality with the
-  /// current grid.
+  /// current grid. The room stays for the next picture of its size, and some frames long.
   virtual view::Image draw_offscreen(const view::Frame& frame) = 0;
   /// The clay's surface at each position of `mesh`, which must belong to the shown clay: dry, or
   /// fired in `glazing`. Uses the shader that draws the clay, so that both agree.

@@ -42,7 +42,10 @@ TEST_F(PhoneKiosk, AFrameDrawsOnePictureOfAKeepsakeOrShapesAPostcardsWordsOrShow
     // Later ones are of the gallery.
     const bool shows =
         what == "make_picture" && !std::exchange(shown, what == "make_picture" || shown);
-    drawn += what == "draw_offscreen" || what == "read_skin" || what == "measure" || shows ? 1 : 0;
+    drawn += what == "prepare_offscreen" || what == "draw_offscreen" || what == "read_skin" ||
+                     what == "measure" || shows
+                 ? 1
+                 : 0;
   };
   const auto one_frame = [&] {
     most = std::max(most, drawn);
@@ -56,8 +59,9 @@ TEST_F(PhoneKiosk, AFrameDrawsOnePictureOfAKeepsakeOrShapesAPostcardsWordsOrShow
   });
   until(one_frame);
   EXPECT_EQ(most, 1);
-  EXPECT_EQ(all, 8 + TurntableRecorder::kPictures)
-      << "two postcards, the words of each, the first on the screen, one for the gallery, the "
+  EXPECT_EQ(all, 10 + TurntableRecorder::kPictures)
+      << "two postcards, their room in two parts, the words of each, the first on the screen, one "
+         "for the gallery, the "
          "plaster behind it, the model's colours, and those that turn";
   EXPECT_TRUE(kiosk_->doing().kept->saved->value().print.has_filename());
 }

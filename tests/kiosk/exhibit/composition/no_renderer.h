@@ -27,6 +27,7 @@ class NoRenderer : public render::Renderer {
   void draw(const view::Frame&) override {}
   void present() override {}
   view::Image read_pixels() override { return {}; }
+  bool prepare_offscreen(const view::Frame&) override { return false; }
   view::Image draw_offscreen(const view::Frame&) override { return {}; }
   std::vector<view::SkinPoint> read_skin(const ClayMesh&,
                                          const std::optional<view::Glazing>&) override {

@@ -60,6 +60,10 @@ class WatchedRenderer final : public render::Renderer {
   }
   void present() override { real_->present(); }
   view::Image read_pixels() override { return real_->read_pixels(); }
+  bool prepare_offscreen(const view::Frame& frame) override {
+    tell("prepare_offscreen");
+    return real_->prepare_offscreen(frame);
+  }
   view::Image draw_offscreen(const view::Frame& frame) override {
     tell("draw_offscreen");
     if (watch_.drawn_offscreen) watch_.drawn_offscreen(frame);
