@@ -306,7 +306,7 @@ def write_way(site, case):
         if hand == "figure":
             values["motifs"] = '["leaf"]'
         values.update({key: ends[case.end] for key, ends in keys.items()})
-        if hand not in ("up", "all"):
+        if hand in ("line", "figure"):
             values["repeats"] = (5, 8, 12)[case.end]
         table("[[tool]]", values, name=f"Tool {n}", how="Touch the pot.", did="a thing")
     site.write("content/ways/slip_painted.toml", tables, edits)

@@ -78,7 +78,17 @@ class TakingHome {
   /// The page of it, to be drawn by a worker, in which it is called by its name.
   std::function<view::Image(const std::string& spoken)> page_of(view::Image strip) const;
 
-  enum class Next { words, room, postcard, phone_words, phone_card, small, plaster, model, nothing };
+  enum class Next {
+    words,
+    room,
+    postcard,
+    phone_words,
+    phone_card,
+    small,
+    plaster,
+    model,
+    nothing
+  };
   Next next_ = Next::words;
   souvenir::PostcardWords words_;
   view::Frame card_;                               ///< The next postcard,
