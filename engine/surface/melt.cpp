@@ -70,6 +70,7 @@ Melt::Melt(const Surface& surface, const MeltDef& def)
     return;
   }
   height_.resize(cells);
+  even_base_.emplace(surface, 0, kSectors);
 }
 
 int Melt::raw(int j, int i) const {
@@ -77,20 +78,16 @@ int Melt::raw(int j, int i) const {
   return surface_->resist(j, i) ? 0 : even_;
 }
 
-float Melt::base(int j, int i) const {
-  return static_cast<float>(surface_->relief(j, i)) +
-         1e-3f * static_cast<float>(surface_->slip(j, i).thickness());
-}
-
 void Melt::fill_row(int j) {
   const float unit = 1e-6f * static_cast<float>(kGlazeUnit * shrinks_);
+  base_ = even_base_->row(j);
   int glazed = 0;
   Volume units = 0;
   for (int i = 0; i < kSectors; ++i) {
     const int glaze = raw(j, i);
     const std::size_t at = cell(j, i);
     melted_[at] = static_cast<std::uint16_t>(glaze > 0);
-    height_[at] = base(j, i) + unit * static_cast<float>(glaze);
+    height_[at] = base(i) + unit * static_cast<float>(glaze);
     glazed += glaze > 0;
     units += glaze;
   }
@@ -243,7 +240,7 @@ void Melt::level_columns(int block, int way) {
 /// would leave bare, or under nothing, keeps a film.
 int Melt::wanted(int j, int i) const {
   const float edge = static_cast<float>(edges_[static_cast<std::size_t>(j)]);
-  const float um = height_[cell(j, i)] + edge - base(j, i);
+  const float um = height_[cell(j, i)] + edge - base(i);
   float units = um * (1e6f / static_cast<float>(kUnit * shrinks_));
   const float from = std::min(static_cast<float>(raw(j, i) * (kGlazeUnit / kUnit)), mean_);
   if (units < from) {
@@ -257,6 +254,7 @@ int Melt::wanted(int j, int i) const {
 /// rounding leaves over from cell to cell.
 void Melt::lay_row(int j) {
   const Volume area = surface_->row(j).area;
+  base_ = even_base_->row(j);
   for (int i = 0; i < kSectors; ++i) {
     const std::size_t at = cell(j, i);
     if (melted_[at] == 0) continue;
@@ -283,6 +281,7 @@ std::int64_t Melt::work(int n) {
     case Stage::back_across:
       return level_columns(n, -1), 2 * kLanes * surface_->rows();
     case Stage::count:
+      base_ = even_base_->row(n);
       for (int i = 0; i < kSectors; ++i)
         if (melted_[cell(n, i)] != 0)
           laid_ += std::int64_t{wanted(n, i)} * kUnit * surface_->row(n).area;
@@ -303,6 +302,7 @@ void Melt::next_stage() {
   if (glazed_cells_ == 0) stage_ = Stage::done;
   if (stage_ != Stage::done) return;
   rest_ = volume_ - laid_;
+  even_base_.reset();
   std::vector<float>().swap(height_);  // assigning {} would keep the memory
   for (auto* kernels : {&round_, &along_, &across_}) std::vector<LevelKernel>().swap(*kernels);
 }

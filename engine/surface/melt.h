@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/base/def_field.h"
+#include "engine/surface/even_base.h"
 #include "engine/surface/levelling.h"
 #include "engine/surface/surface.h"
 
@@ -34,8 +36,8 @@ struct MeltDef {
 /// the third power of its own thickness, and never leaves a place bare. Bare places stay bare.
 /// Three ways through each cell, round, along and twice across, each a sum over its neighbours,
 /// make the law the same in every direction. No time steps. No glaze is lost: its volume is the raw
-/// one's to the last unit. Same bits on every machine. Holds 19 MB of a tall pot while it works, 6
-/// MB then. Allocates; not safe across threads.
+/// one's to the last unit. It lies on an EvenBase. Same bits on every machine. Holds 19 MB of a
+/// tall pot while it works, 6 MB then. Allocates; not safe across threads.
 class Melt {
  public:
   static constexpr int kUnit = 250;  ///< nm of raw glaze.
@@ -52,10 +54,9 @@ class Melt {
 
   /// Once done(): the raw glaze that has become this cell's, kUnit a unit.
   int glaze(int j, int i) const { return melted_[cell(j, i)]; }
-  /// Height of the fired top over the reference body, nm.
-  int top(int j, int i) const {
-    return surface_->relief(j, i) * int{kNanometres} + surface_->slip(j, i).thickness() +
-           static_cast<int>(std::int64_t{glaze(j, i)} * kUnit * shrinks_ / 1000);
+  /// Once done(): thickness after the fire, on an EvenBase, nm.
+  int fired(int j, int i) const {
+    return static_cast<int>(std::int64_t{glaze(j, i)} * kUnit * shrinks_ / 1000);
   }
   /// Of the raw glaze, with what rounding left over: Surface::glaze_volume(), if that is not 0.
   Volume volume() const;
@@ -70,7 +71,7 @@ class Melt {
     return static_cast<std::size_t>(j) * kSectors + static_cast<std::size_t>(i);
   }
   int raw(int j, int i) const;
-  float base(int j, int i) const;
+  float base(int i) const { return 1e-3f * static_cast<float>(base_[static_cast<std::size_t>(i)]); }
   void weigh_up();
   void next_stage();
   std::int64_t work(int n);
@@ -100,6 +101,8 @@ class Melt {
   std::vector<LevelKernel> round_, along_, across_;  ///< By row.
   std::vector<int> slant_;                           ///< By row: where a way across is, sectors.
   std::vector<float> room_;
+  std::optional<EvenBase> even_base_;  ///< Until done(),
+  std::span<const int> base_;          ///< and its row at work, nm.
 };
 
 }  // namespace onggi::surface

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <span>
 
 #include "kiosk/collection/decoration/decorate.h"
 
@@ -17,6 +18,8 @@ constexpr float kWaxHides = 0.55f;
 constexpr double kRawGlazeHides = 1.2e-4;             // m
 constexpr int kSlopeUnit = 64, kLevel = 128;          // of form()
 constexpr int kDepthUnit = 4 * surface::kNanometres;  // nm
+constexpr int kTopsAcross = CoatPicture::kTileColumns + 2;
+constexpr int kFeels = 3;  // cells from which a slope is told: neighbours, evened with theirs
 
 std::uint64_t next_change() {
   static std::atomic<std::uint64_t> last{0};
@@ -101,12 +104,11 @@ void CoatPicture::tell_rows(const surface::Surface& surface) {
 }
 
 void CoatPicture::touch(int from, int to, int first, int last) {
-  // A slope is told from the neighbours.
-  const int low = std::clamp(from - 1, 0, rows_ - 1) / kTileRows;
-  const int high = std::clamp(to, 0, rows_ - 1) / kTileRows;
+  const int low = std::clamp(from - kFeels, 0, rows_ - 1) / kTileRows;
+  const int high = std::clamp(to - 1 + kFeels, 0, rows_ - 1) / kTileRows;
   const bool all_round = last - first >= kSectors;
-  const auto left = static_cast<int>(surface::floor_div(first - 1, kTileColumns));
-  const auto right = static_cast<int>(surface::floor_div(last, kTileColumns));
+  const auto left = static_cast<int>(surface::floor_div(first - kFeels, kTileColumns));
+  const auto right = static_cast<int>(surface::floor_div(last - 1 + kFeels, kTileColumns));
   for (int down = low; down <= high; ++down)
     for (int n = all_round ? 0 : left; n <= (all_round ? tiles_across() - 1 : right); ++n) {
       const int across = surface::wrapped(std::int64_t{n} * kTileColumns) / kTileColumns;
@@ -171,34 +173,45 @@ CoatPicture::Cover CoatPicture::cover(const surface::Surface& surface, int j, in
   return out;
 }
 
-CoatPicture::Texel CoatPicture::form_at(const surface::Surface& surface, int j, int i) const {
-  const int below = std::max(j - 1, 0), above = std::min(j + 1, rows_ - 1);
-  const int left = surface::wrapped(i - 1), right = surface::wrapped(i + 1);
-  const int along = surface.top(above, i) - surface.top(below, i);
-  const int round = surface.top(j, right) - surface.top(j, left);
-  constexpr int kRow = surface::kRowHeight * static_cast<int>(surface::kNanometres);
-  const int deep = std::max(-surface.top(j, i), 0) / kDepthUnit;
-  return {
-      slope_byte(along, std::max(above - below, 1) * kRow),
-      slope_byte(round, 2 * std::max(surface.row(j).width, 1)),
-      static_cast<std::uint8_t>(std::min(deep, 255)),
-      static_cast<std::uint8_t>(glazed_ ? surface.glaze(j, i) : kPolish * surface.burnish(j, i))};
+void CoatPicture::find_tops(const surface::Surface& surface, int down, int across) {
+  const int first = across * kTileColumns - 1;
+  surface::EvenBase base(surface, first, kTopsAcross);
+  tops_.resize(std::size_t{kTileRows + 2} * kTopsAcross);
+  for (int row = 0; row < kTileRows + 2; ++row) {
+    const int j = std::clamp(down * kTileRows + row - 1, 0, rows_ - 1);
+    const std::span<const int> even = base.row(j);
+    for (int column = 0; column < kTopsAcross; ++column) {
+      const int i = surface::wrapped(first + column);
+      tops_[static_cast<std::size_t>(row * kTopsAcross + column)] =
+          even[static_cast<std::size_t>(column)] +
+          (melt_ != nullptr ? melt_->fired(j, i) : surface.glaze(j, i) * surface::kGlazeUnit);
+    }
+  }
 }
 
-CoatPicture::Texel CoatPicture::molten_at(const surface::Surface& surface, int j, int i) const {
-  const int below = std::max(j - 1, 0), above = std::min(j + 1, rows_ - 1);
-  const int left = surface::wrapped(i - 1), right = surface::wrapped(i + 1);
+/// `row`, `column`: of its tile.
+CoatPicture::Texel CoatPicture::form_at(const surface::Surface& surface, int j, int i, int row,
+                                        int column) const {
+  const int* top = &tops_[static_cast<std::size_t>((row + 1) * kTopsAcross + column + 1)];
+  const int apart = std::min(j + 1, rows_ - 1) - std::max(j - 1, 0);
   constexpr int kRow = surface::kRowHeight * static_cast<int>(surface::kNanometres);
-  constexpr int kUnits = surface::kGlazeUnit / surface::Melt::kUnit;
-  const int glaze = (melt_->glaze(j, i) + kUnits / 2) / kUnits;
-  return {
-      slope_byte(melt_->top(above, i) - melt_->top(below, i), std::max(above - below, 1) * kRow),
-      slope_byte(melt_->top(j, right) - melt_->top(j, left), 2 * std::max(surface.row(j).width, 1)),
-      0, static_cast<std::uint8_t>(std::min(glaze, 255))};
+  Texel out{slope_byte(top[kTopsAcross] - top[-kTopsAcross], std::max(apart, 1) * kRow),
+            slope_byte(top[1] - top[-1], 2 * std::max(surface.row(j).width, 1)), 0, 0};
+  if (melt_ != nullptr) {
+    constexpr int kUnits = surface::kGlazeUnit / surface::Melt::kUnit;
+    const int glaze = (melt_->glaze(j, i) + kUnits / 2) / kUnits;
+    out[3] = static_cast<std::uint8_t>(std::min(glaze, 255));
+  } else {
+    out[2] = static_cast<std::uint8_t>(std::min(std::max(-*top, 0) / kDepthUnit, 255));
+    out[3] =
+        static_cast<std::uint8_t>(glazed_ ? surface.glaze(j, i) : kPolish * surface.burnish(j, i));
+  }
+  return out;
 }
 
 void CoatPicture::draw_tile(const surface::Surface& surface, int down, int across) {
   bool glaze = false;
+  find_tops(surface, down, across);
   for (int j = down * kTileRows; j < std::min((down + 1) * kTileRows, rows_); ++j)
     for (int i = across * kTileColumns; i < (across + 1) * kTileColumns; ++i) {
       const Cover over = cover(surface, j, i);
@@ -212,7 +225,7 @@ void CoatPicture::draw_tile(const surface::Surface& surface, int down, int acros
       }
       for (std::size_t k = 0; k < 3; ++k) paint[k] = byte(255.0f * std::sqrt(over.light[k]) + 0.5f);
       paint[3] = byte(255.0f * over.share + 0.5f);
-      form_[at] = melt_ != nullptr ? molten_at(surface, j, i) : form_at(surface, j, i);
+      form_[at] = form_at(surface, j, i, j - down * kTileRows, i - across * kTileColumns);
       glaze = glaze || surface.glaze(j, i) > 0;
     }
   has_glaze_[static_cast<std::size_t>(down * tiles_across() + across)] = glaze;

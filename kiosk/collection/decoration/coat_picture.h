@@ -87,8 +87,9 @@ class CoatPicture {
   void tell_rows(const surface::Surface& surface);
   void know_shares(const Palette& palette);
   Cover cover(const surface::Surface& surface, int j, int i) const;
-  Texel form_at(const surface::Surface& surface, int j, int i) const;
-  Texel molten_at(const surface::Surface& surface, int j, int i) const;
+  /// Tops of the tile and of the cells round it, nm, into tops_.
+  void find_tops(const surface::Surface& surface, int down, int across);
+  Texel form_at(const surface::Surface& surface, int j, int i, int row, int column) const;
   void draw_tile(const surface::Surface& surface, int down, int across);
   void even_middle();
 
@@ -100,6 +101,7 @@ class CoatPicture {
   bool fired_ = false, glazed_ = false, melted_ = false;
   const surface::Melt* melt_ = nullptr;
   std::vector<Texel> paint_, form_;
+  std::vector<int> tops_;
   /// The floor's middle has no cells. The last row is drawn all over it, so it is even.
   bool has_middle_ = false, middle_stale_ = false;
   Texel middle_paint_{}, middle_form_{};

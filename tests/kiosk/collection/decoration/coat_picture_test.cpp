@@ -172,6 +172,22 @@ TEST(CoatPicture, ACutIsDeepAndItsFacesSlope) {
   EXPECT_EQ(form[pot.texel(0.08)][1], 128);
 }
 
+// What rounds a coat's thickness to its codes would glitter under the glaze.
+TEST(CoatPicture, ACoatLaidThriceIsSmooth) {
+  Pot pot;
+  surface::BrushDef flood;
+  flood.width = 0.03, flood.tracks = 1, flood.reach = 100.0;
+  for (int n = 0; n < 3; ++n) ASSERT_TRUE(apply(pot.surface, ring(pot.surface, flood, 0.08)));
+  pot.draw();
+  double sum = 0.0;
+  for (int sector = 0; sector < kSectors; ++sector) {
+    const CoatPicture::Texel& texel = pot.picture.form()[pot.texel(0.08, sector)];
+    for (const std::size_t k : {0u, 1u}) sum += (texel[k] - 128.0) * (texel[k] - 128.0);
+  }
+  EXPECT_LT(std::sqrt(sum / kSectors), 3.0);
+  EXPECT_GT(pot.picture.paint()[pot.texel(0.08)][3], 250);
+}
+
 TEST(CoatPicture, RawGlazeIsOpaqueAndAfterTheFireItIsOnlyTold) {
   Pot pot;
   surface::DipDef dip;
