@@ -45,13 +45,13 @@ Result<std::unique_ptr<Backdrop>> Backdrop::create() {
 void Backdrop::cast(Of of, const Levels& levels, const Texture& light, const Studio& studio,
                     float wheel_radius, float size, double apart_by) {
   Cast& own = casts_[place(of)];
-  if (own.of && own.wheel == wheel_radius && own.size == size &&
-      own.window_right == studio.window_right() && apart(*own.of, levels) <= apart_by)
+  if (own.of && own.wheel == wheel_radius && own.size == size && own.window == studio.window() &&
+      apart(*own.of, levels) <= apart_by)
     return;
   own.of = levels;
   own.wheel = wheel_radius;
   own.size = size;
-  own.window_right = studio.window_right();
+  own.window = studio.window();
   ++own.serial;
   GLint viewport[4], back_to = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &back_to);
@@ -93,13 +93,13 @@ Backdrop::Extent Backdrop::darkened(double height, double radius, bool wheel, fl
           even(std::max(near, x + around), 1), even(std::max(near, z + around), 1)};
 }
 
-void Backdrop::draw_plaster(int width, int height, bool window_right) const {
+void Backdrop::draw_plaster(int width, int height, double window) const {
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   plaster_program_.use();
   plaster_program_.set("size", glm::vec2(width, height));
-  plaster_program_.set("side", window_right ? -1.0f : 1.0f);
+  plaster_program_.set("side", static_cast<float>(std::sin(window) / std::sin(view::kWindowLeft)));
   quad_.draw();
 }
 

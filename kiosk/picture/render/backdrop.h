@@ -44,7 +44,7 @@ class Backdrop {
   static Extent darkened(double height, double radius, bool wheel, float foot, glm::vec3 window);
 
   /// Draws the plaster over the whole bound target of this size, lit from that side.
-  void draw_plaster(int width, int height, bool window_right) const;
+  void draw_plaster(int width, int height, double window) const;
   /// Draws the ground within `extent` on the bound target, which has the size of `plaster`. `foot`:
   /// radius of the standing area, m.
   void draw_ground(const glm::mat4& clip, const Texture& plaster, const Extent& extent, bool wheel,
@@ -73,7 +73,7 @@ class Backdrop {
     Target shadow;
     std::optional<Levels> of;
     float wheel = 0, size = 1;
-    bool window_right = false;
+    double window = 0;
     std::uint64_t serial = 0;
   };
   std::array<Cast, 2> casts_;

@@ -13,7 +13,7 @@ view::Rect reach_of(const view::PotView& pot, double height, double radius, int 
   struct Ring {
     double x, y, z, r;
   };
-  const glm::vec3 light = window_direction(pot.window_right);
+  const glm::vec3 light = window_direction(pot.window);
   const double table = pot.wheel ? -0.024 : 0.0;
   const double along = (height - table) / light.y, foot = pot.wheel ? pot.wheel_radius : radius;
   const Ring rings[] = {{0, table, 0, foot},
@@ -112,11 +112,11 @@ void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
   const float foot = stage.foot(pot);
   Ground now{pot.camera,
              pot.wheel,
-             pot.window_right,
+             pot.window,
              pot.opacity,
              foot,
              Backdrop::darkened(stage.clay().height(), stage.clay().max_radius(), pot.wheel, foot,
-                                window_direction(pot.window_right)),
+                                window_direction(pot.window)),
              stage.backdrop().cast_serial(),
              {},
              0};
@@ -127,8 +127,8 @@ void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
   if (of_ground_ == now) return;
   // Ground without a shadow stays, unless it has moved.
   if (!of_ground_ || of_ground_->camera != now.camera || of_ground_->wheel != now.wheel ||
-      of_ground_->window_right != now.window_right || of_ground_->extent != now.extent ||
-      of_ground_->beside || now.beside) {
+      of_ground_->window != now.window || of_ground_->extent != now.extent || of_ground_->beside ||
+      now.beside) {
     kept(ground_);
     calls::bind_framebuffer(GL_READ_FRAMEBUFFER, plaster_.framebuffer());
     calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, ground_.framebuffer());
@@ -151,13 +151,13 @@ void Canvas::turn_to(const view::Frame& frame, const Painters& with) {
 }
 
 void Canvas::paint_plaster(const Painters& with, const view::Frame& frame) {
-  // It depends on its size and on the light's direction.
-  const bool window_right = frame.pot && frame.pot->window_right;
-  if (plaster_.width() != 0 && plaster_right_ == window_right) return;
+  // It depends on its size and on where its window is.
+  const double window = frame.pot ? frame.pot->window : view::kWindowLeft;
+  if (plaster_.width() != 0 && plaster_window_ == window) return;
   if (plaster_.width() == 0) plaster_ = Target(frame.width, frame.height, false, 0);
-  plaster_right_ = window_right;
+  plaster_window_ = window;
   plaster_.bind();
-  with.stage.backdrop().draw_plaster(frame.width, frame.height, window_right);
+  with.stage.backdrop().draw_plaster(frame.width, frame.height, window);
 }
 
 bool Canvas::prepare(const Painters& with, const view::Frame& frame, const Quality& quality,

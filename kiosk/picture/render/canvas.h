@@ -56,7 +56,8 @@ class Canvas {
   /// Everything that the ground's picture depends on.
   struct Ground {
     view::Camera camera;
-    bool wheel = true, window_right = false;
+    bool wheel = true;
+    double window = 0;
     double opacity = 1;
     float foot = 0;
     Backdrop::Extent extent;
@@ -70,7 +71,8 @@ class Canvas {
   int samples_ = -1;
   view::Frame frame_;  ///< As last painted,
   view::Rect solid_;   ///< and its part with the 3-D picture.
-  bool painted_ = false, has_before_ = false, plaster_right_ = false;
+  bool painted_ = false, has_before_ = false;
+  double plaster_window_ = 0;
   bool composed_ = false;  ///< picture_ is the frame as last painted.
 };
 

@@ -123,7 +123,7 @@ void Stage::set_light(const Program& program, const view::Camera& camera, const 
 }
 
 void Stage::prepare(const view::PotView& pot, const Quality& quality) {
-  studio_.put_window(pot.window_right);
+  studio_.put_window(pot.window);
   clay_.refresh(clay_levels_);
   backdrop_->cast(Backdrop::Of::clay, clay_.levels(), clay_levels_, studio_,
                   pot.wheel ? static_cast<float>(pot.wheel_radius) : 0.0f, size_of(pot),

@@ -14,9 +14,7 @@ constexpr int kSkySize = 32;   // texels of the sharpest level
 constexpr int kSkyLevels = 5;  // roughness 0, 1/4 .. 1
 constexpr int kGrainSize = 256;
 
-const glm::vec3 kWindow = glm::normalize(vec(view::window_at(false)));
-
-glm::vec3 mirrored_light(glm::vec3 d) { return studio_light({-d.x, d.y, d.z}); }
+const glm::vec3 kWindow = glm::normalize(vec(view::window_at(view::kWindowLeft)));
 
 glm::vec3 octahedral(float x, float z) {
   glm::vec3 d(x, 1.0f - std::abs(x) - std::abs(z), z);
@@ -126,7 +124,7 @@ Texture make_sky(glm::vec3 (*light)(glm::vec3)) {
 
 }  // namespace
 
-glm::vec3 window_direction(bool right) { return glm::normalize(vec(view::window_at(right))); }
+glm::vec3 window_direction(double window) { return glm::normalize(vec(view::window_at(window))); }
 
 glm::vec3 studio_light(glm::vec3 d) {
   const glm::vec3 wall(0.37f, 0.33f, 0.285f), ceiling(0.52f, 0.51f, 0.50f);
@@ -161,20 +159,21 @@ std::array<glm::vec3, 9> irradiance_terms(glm::vec3 (*light)(glm::vec3), int siz
 }
 
 Studio::Studio()
-    : lit_{Lit{irradiance_terms(studio_light, kSkySize), make_sky(studio_light)},
-           Lit{irradiance_terms(mirrored_light, kSkySize), make_sky(mirrored_light)}},
+    : terms_(irradiance_terms(studio_light, kSkySize)),
+      sky_(make_sky(studio_light)),
       grain_(make_grain()) {}
 
 void Studio::light(const Program& program, int unit) const {
-  const glm::vec3 window = window_direction(right_);
+  const glm::vec3 window = window_direction(window_);
   const glm::vec3 across = glm::normalize(glm::cross(glm::vec3(0, 1, 0), window));
-  const Lit& lit = lit_[right_ ? 1 : 0];
-  program.set("sh[0]", lit.terms.data(), 9);
+  const double turned = window_ - view::kWindowLeft;
+  program.set("sh[0]", terms_.data(), 9);
+  program.set("room_turn", glm::vec2(std::cos(turned), std::sin(turned)));
   program.set("window_dir", window);
   program.set("window_across", across);
   program.set("window_up", glm::cross(window, across));
   program.set("window_light", glm::vec3(0.84f, 0.85f, 0.855f));
-  lit.sky.bind(unit);
+  sky_.bind(unit);
   program.set("sky", unit);
 }
 

@@ -15,6 +15,7 @@
 #include "kiosk/collection/content/glaze.h"
 #include "kiosk/picture/view/camera.h"
 #include "kiosk/picture/view/rect.h"
+#include "kiosk/picture/view/studio_window.h"
 
 namespace onggi::view {
 
@@ -126,7 +127,7 @@ struct PotView {
       0;  ///< 0 closed .. 1 open: the front quarter is left out and the wall shown in section.
   bool wheel = true;                 ///< Draw the wheel head.
   double wheel_radius = 0.175;       ///< Of its head, metres, 0.05..0.3.
-  bool window_right = false;         ///< The studio's window is at the right (view::window_at).
+  double window = kWindowLeft;       ///< Where the studio's window is (studio_window.h), rad.
   std::array<HandView, 2> hands{};   ///< Present hands are drawn with their tools.
   double opacity = 1;                ///< 0..1, against the plaster, for fades.
   std::optional<VesselView> beside;  ///< The vessel that it answers.

@@ -7,6 +7,7 @@
 #include "kiosk/visit/screens/hidden_drawing.h"
 #include "kiosk/visit/screens/label.h"
 #include "kiosk/visit/screens/light_color.h"
+#include "kiosk/visit/screens/moved_light.h"
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/pot_picture.h"
 #include "kiosk/visit/screens/target_line.h"
@@ -22,6 +23,7 @@ constexpr double kDryTime = 4.0;         // s; for an impatient visitor a fifth 
 constexpr double kFireTime = 6.0;        // s
 constexpr double kReglazeTime = 2.4;     // s
 constexpr double kTextFade = 0.5;        // s
+constexpr const char* kLight = "kiln.light";
 // Times in the firing: the heat is highest here, and the glaze appears as it falls.
 constexpr float kGlassy = 0.3f;  // gloss: a glaze with less is none that melts
 constexpr double kHottest = 0.4, kGlazeFrom = 0.3, kGlazeTo = 0.95;
@@ -68,6 +70,13 @@ class KilnScreen final : public Screen {
     view::PotView pot = picture_.view(desk, page);
     pot.wheel = false;
     pot.hands = {};
+    window_ = pot.window;
+    const double across = page.where().portrait ? MovedLight::kFarthest : MovedLight::kNearWords;
+    if (window_ < 0)
+      light_.keep_within(-MovedLight::kFarthest, across);
+    else
+      light_.keep_within(-across, MovedLight::kFarthest);
+    pot.window = light_.at(window_);
     pot.size = along(along(1, kiln_.dried_size, smooth(dried_)), kiln_.fired_size, smooth(fired_));
     pot.wetness *= 1 - dried_;
     for (float& wet : pot.wetness_by_row) wet *= static_cast<float>(1 - dried_);
@@ -89,6 +98,43 @@ class KilnScreen final : public Screen {
   }
 
   void lay_out(Page& page) override {
+    lay_out_words(page);
+    lay_out_light(page);
+  }
+
+  void press(const std::string& control) override {
+    if (control == kLight) return light_.press(window_);
+    if (control == "kiln.keep") {
+      finish();
+      burn_slips(0);
+      desk.keep_pot();
+      desk.go(ScreenId::keepsake);
+      return;
+    }
+    for (int i = 0; i < static_cast<int>(kiln_.glazes->size()); ++i) {
+      if (control != glaze_control(i) || desk.glaze == i) continue;
+      desk.glaze = i;
+      chosen_at_ = desk.now;
+    }
+  }
+  void back() override {
+    desk.go(desk.wheel().way != nullptr && desk.glaze < 0 ? ScreenId::decorate : ScreenId::result);
+  }
+
+  /// A touch on the pot skips ahead. Once it is fired, a finger draws the light along.
+  void pointer(const view::InputEvent& e, const Page& page) override {
+    if (fired()) return light_.pointer(e, window_, page.where().pot.w);
+    if (e.kind == view::InputEvent::Kind::pointer_down && desk.glaze >= 0) finish();
+  }
+  std::string step(const std::string& from, Direction to) override {
+    if (from != kLight || (to != Direction::left && to != Direction::right)) return {};
+    light_.by_arrow(window_, to == Direction::right);
+    return from;
+  }
+  void let_go() override { light_.let_go(); }
+
+ private:
+  void lay_out_words(Page& page) {
     // The thrown size as a line, once the words say what it is.
     if (desk.glaze >= 0 && dried_ > 0.05) draw_ghost(page, picture_.camera(page), desk.made, {});
     const TypeScale& t = page.type();
@@ -134,30 +180,23 @@ class KilnScreen final : public Screen {
       column.text(shrank(), t.body, Face::sans, view::with_alpha(view::kInk, faded_in(told_at_)));
   }
 
-  void press(const std::string& control) override {
-    if (control == "kiln.keep") {
-      finish();
-      burn_slips(0);
-      desk.keep_pot();
-      desk.go(ScreenId::keepsake);
-      return;
-    }
-    for (int i = 0; i < static_cast<int>(kiln_.glazes->size()); ++i) {
-      if (control != glaze_control(i) || desk.glaze == i) continue;
-      desk.glaze = i;
-      chosen_at_ = desk.now;
-    }
+  bool fired() const { return desk.glaze >= 0 && fired_ >= 1; }
+  /// The light can be moved, and until it was moved a word at the foot of the picture says so.
+  void lay_out_light(Page& page) const {
+    if (desk.glaze < 0) return;
+    const Regions& where = page.where();
+    const TypeScale& t = page.type();
+    const float foot = where.portrait ? where.words.y - 2.0f * t.gap : where.all.y + where.all.h;
+    view::Rect picture = where.pot;
+    picture.h = std::max(picture.h, foot - picture.y);
+    page.control({kLight, picture, desk.say(kLight), {}, {}, true});
+    if (!fired() || light_.moved()) return;
+    const auto style = page.style(Face::serif, t.body, view::Align::centre);
+    const std::string words = desk.say(kLight);
+    const float high = page.size(words, style, picture.w).height;
+    page.words({picture.x, foot - high, picture.w, high}, words, style,
+               view::with_alpha(view::kFaintInk, faded_in(told_at_)));
   }
-  void back() override {
-    desk.go(desk.wheel().way != nullptr && desk.glaze < 0 ? ScreenId::decorate : ScreenId::result);
-  }
-
-  /// A touch on the pot skips ahead.
-  void pointer(const view::InputEvent& e, const Page&) override {
-    if (e.kind == view::InputEvent::Kind::pointer_down && desk.glaze >= 0) finish();
-  }
-
- private:
   /// The slips of a decorated pot get their fired colours while nobody sees more than its glow, and
   /// its glaze melts.
   void burn_slips(double dt) {
@@ -236,7 +275,9 @@ class KilnScreen final : public Screen {
 
   const Kiln& kiln_;
   PotPicture picture_;
-  std::vector<bool> hides_;  // by glaze: the drawing; empty for a bare pot
+  MovedLight light_;
+  double window_ = view::kWindowLeft;  // that the page wants
+  std::vector<bool> hides_;            // by glaze: the drawing; empty for a bare pot
   double dried_ = 0, fired_ = 0, reglazed_ = 1;
   int shown_ = -1, before_ = -1;  // glazes on the pot
   double chosen_at_ = -10, told_at_ = -10;

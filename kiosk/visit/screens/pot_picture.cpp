@@ -118,7 +118,8 @@ view::PotView PotPicture::view(const Desk& desk, const Page& page) const {
   pot.wheel_angle = desk.status.feedback.wheel_angle + turned_;
   pot.clay_angle = clay.angle + turned_;
   pot.wheel_radius = wheel_radius_;
-  pot.window_right = page.where().mirrored && !page.where().portrait;
+  pot.window =
+      page.where().mirrored && !page.where().portrait ? view::kWindowRight : view::kWindowLeft;
   pot.wetness = desk.status.feedback.wetness;
   pot.wetness_by_row = clay.wet;
   pot.cut_away = cut_ < 0.004 ? 0.0 : cut_;

@@ -1,7 +1,8 @@
 // The studio's light on a vessel of revolution: one soft window, and everything else as nine
 // spherical-harmonic terms. The vessel's own profile tells what it shades (levels.cpp).
 
-uniform vec3 sh[9];          // irradiance / pi of the studio without its window
+uniform vec3 sh[9];          // irradiance / pi of the studio without its window, which is at the left
+uniform vec2 room_turn;      // cosine and sine of the angle by which the room is turned from that
 uniform vec3 window_dir;     // unit, towards the window's middle
 uniform vec3 window_across;  // unit, level
 uniform vec3 window_up;      // unit
@@ -12,7 +13,12 @@ uniform vec3 eye;
 
 const vec2 kWindowHalf = vec2(0.27, 0.62);  // tangents of its half width and half height
 
-vec3 ambient(vec3 n) {
+vec3 in_room(vec3 d) {
+  return vec3(d.x * room_turn.x - d.z * room_turn.y, d.y, d.z * room_turn.x + d.x * room_turn.y);
+}
+
+vec3 ambient(vec3 d) {
+  vec3 n = in_room(d);
   return sh[0] + sh[1] * n.y + sh[2] * n.z + sh[3] * n.x + sh[4] * (n.x * n.y) +
          sh[5] * (n.y * n.z) + sh[6] * (3.0 * n.z * n.z - 1.0) + sh[7] * (n.x * n.z) +
          sh[8] * (n.x * n.x - n.y * n.y);
@@ -25,7 +31,8 @@ float wrapped(float cosine) {
   return c * (0.35 * c + 0.65);
 }
 
-vec3 sky_at(vec3 d, float level) {
+vec3 sky_at(vec3 direction, float level) {
+  vec3 d = in_room(direction);
   vec3 a = d / (abs(d.x) + abs(d.y) + abs(d.z));
   vec2 s = vec2(a.x >= 0.0 ? 1.0 : -1.0, a.z >= 0.0 ? 1.0 : -1.0);
   vec2 p = a.y >= 0.0 ? a.xz : (1.0 - abs(a.zx)) * s;

@@ -1,7 +1,7 @@
 // The studio's plaster: an even white that gets a little darker away from the window.
 
 uniform vec2 size;
-uniform float side;  // the window's: 1 left, -1 right
+uniform float side;  // where the window is: 1 left .. -1 right
 
 #ifdef VERTEX
 layout(location = 0) in vec2 place;

@@ -63,7 +63,7 @@ class AnEdge : public StudioTest {
     const Target plaster(frame.width, frame.height, false, 0);
     const Target ground(frame.width, frame.height, false, 0);
     plaster.bind();
-    stage_->backdrop().draw_plaster(frame.width, frame.height, pot.window_right);
+    stage_->backdrop().draw_plaster(frame.width, frame.height, pot.window);
     stage_->prepare(pot, {.samples = 0});
     calls::bind_framebuffer(GL_READ_FRAMEBUFFER, plaster.framebuffer());
     calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, ground.framebuffer());
@@ -72,7 +72,7 @@ class AnEdge : public StudioTest {
     stage_->draw_ground(
         pot, plaster.color(),
         Backdrop::darkened(stage_->clay().height(), stage_->clay().max_radius(), pot.wheel,
-                           stage_->foot(pot), window_direction(pot.window_right)));
+                           stage_->foot(pot), window_direction(pot.window)));
     const Target space(static_cast<int>(frame.width * scale),
                        static_cast<int>(frame.height * scale), true, 0);
     space.bind();

@@ -298,9 +298,9 @@ TEST_F(AFrame, LitFromTheRightIsTheMirrorImageOfTheOneLitFromTheLeft) {
     frame.pot->wheel = wheel;
     frame.pot->wetness = 0.5;
     frame.pot->wheel_angle = 1.5707963267948966;  // its dab of slip in front
-    frame.pot->window_right = false;
+    frame.pot->window = view::kWindowLeft;
     const view::Image left = drawn(renderer(), frame);
-    frame.pot->window_right = true;
+    frame.pot->window = view::kWindowRight;
     const view::Image right = drawn(renderer(), frame);
     keep_for_looking(left, wheel ? "window_left_wheel" : "window_left");
     keep_for_looking(right, wheel ? "window_right_wheel" : "window_right");
@@ -316,6 +316,36 @@ TEST_F(AFrame, LitFromTheRightIsTheMirrorImageOfTheOneLitFromTheLeft) {
       }
     EXPECT_GT(asymmetric, 25.0) << "light and shadow fall to one side";
   }
+}
+
+TEST_F(AFrame, LitFromBehindTheVisitorIsItsOwnMirrorImageAndItsShadowGoesRoundWithTheLight) {
+  constexpr int kTile = 32;
+  renderer().show_clay(thrown_clay(grid_of(200, 180, 0.30, 0.010), cylinder, 0.006, 0));
+  view::Frame frame = frame_with_pot(640, 384, 0.30, 0.05);
+  frame.pot->wheel = false;
+  const auto lit_from = [&](double window) {
+    frame.pot->window = window;
+    const view::Image image = drawn(renderer(), frame);
+    keep_for_looking(image, "window_" + std::to_string(std::lround(100 * window)));
+    return image;
+  };
+  const view::Image front = lit_from(0.0);
+  for (int y = 0; y + kTile <= 384; y += kTile)
+    for (int x = 0; x + kTile <= 640; x += kTile) {
+      const auto a = mean_of(front, x, y, kTile), b = mean_of(front, 640 - kTile - x, y, kTile);
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 4.0) << x << "," << y;
+    }
+  // The ground at the left of the foot loses light and that at the right gains it, all the way.
+  double before = 255.0, first = 0.0, last = 0.0;
+  for (const double window : {-1.4, -0.9, -0.45, 0.0, 0.45, 0.9, 1.4}) {
+    const view::Image image = lit_from(window);
+    last = mean_of(image, 160, 288, kTile)[1] - mean_of(image, 448, 288, kTile)[1];
+    if (before == 255.0) first = last;
+    EXPECT_LT(last, before) << window;
+    before = last;
+  }
+  EXPECT_GT(first, 25.0);
+  EXPECT_NEAR(last, -first, 2.0);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ TEST(Studio, ACosineSkyGivesItsExactIrradianceUpwards) {
 }
 
 TEST(Studio, TheFarSideIsDimmerAndWarmer) {
-  const glm::vec3 near = studio_light(window_direction(false)),
-                  far = studio_light(-window_direction(false));
+  const glm::vec3 near = studio_light(window_direction(view::kWindowLeft)),
+                  far = studio_light(-window_direction(view::kWindowLeft));
   EXPECT_GT(near.y, 2 * far.y);
   EXPECT_GT(far.x / far.z, near.x / near.z);
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "kiosk/picture/render/text.h"
+#include "kiosk/visit/screens/moved_light.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
 namespace onggi::screens {
@@ -119,6 +120,74 @@ TEST(KilnScreen, ThePotGlowsAndShrinksAndTheGlazeComesWithoutAJump) {
   EXPECT_GT(done, 0.95);
   EXPECT_NEAR(size, 0.875, 1e-9);
   EXPECT_EQ(v.pot().finish, Finish::fired);
+}
+
+TEST(KilnScreen, AFingerDrawsTheLightRoundTheFiredPotAndATouchAloneDoesNot) {
+  KilnVisitor v;
+  v.make_result();
+  v.glaze_and_fire();
+  const auto says_so = [&] {
+    return std::ranges::any_of(v.frame.items, [](const view::Item& item) {
+      const auto* text = std::get_if<view::Text>(&item);
+      return text != nullptr && text->text == "Draw the light round the pot.";
+    });
+  };
+  EXPECT_EQ(v.pot().window, view::kWindowLeft);
+  EXPECT_TRUE(says_so());
+  v.down(900, 300), v.up(900, 300), v.show();
+  EXPECT_EQ(v.pot().window, view::kWindowLeft);
+  v.down(700, 300), v.show();
+  double before = v.pot().window;
+  for (float x = 740; x < 1000; x += 40) {
+    v.move(x, 320), v.show();
+    EXPECT_GT(v.pot().window, before) << "it goes with the finger";
+    before = v.pot().window;
+  }
+  EXPECT_FALSE(says_so());
+  EXPECT_EQ(v.pot().finish, Finish::fired);
+  v.move(-4000, 320), v.up(-4000, 320), v.show();
+  EXPECT_EQ(v.pot().window, -MovedLight::kFarthest);
+  v.move(900, 320), v.show();
+  EXPECT_EQ(v.pot().window, -MovedLight::kFarthest) << "no finger is down";
+}
+
+TEST(KilnScreen, NoLightThrowsAShadowOnTheWordsBesideThePot) {
+  for (const bool left_handed : {false, true})
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1080, 1920}}) {
+      KilnVisitor v;
+      v.exhibit.screen.left_handed = left_handed;
+      v.width = width, v.height = height;
+      v.make_result();
+      v.glaze_and_fire();
+      const auto drawn_to = [&, x = 0.6f * static_cast<float>(width)](float to) {
+        v.down(x, 200), v.move(to, 200), v.up(to, 200), v.show();
+        return v.pot().window;
+      };
+      const bool words_at_right = left_handed && width > height;
+      const double left = drawn_to(-9000), right = drawn_to(9000);
+      EXPECT_EQ(left, words_at_right ? -MovedLight::kNearWords : -MovedLight::kFarthest);
+      EXPECT_EQ(right,
+                words_at_right || width < height ? MovedLight::kFarthest : MovedLight::kNearWords);
+    }
+}
+
+TEST(KilnScreen, ArrowsAndOneButtonMoveTheLightToo) {
+  KilnVisitor v;
+  v.make_result();
+  v.glaze_and_fire();
+  for (int n = 0; n < 20 && v.visit->focus() != "kiln.light"; ++n) v.key(Key::next);
+  ASSERT_EQ(v.visit->focus(), "kiln.light");
+  v.key(Key::right), v.show();
+  EXPECT_NEAR(v.pot().window, view::kWindowLeft + MovedLight::kAnArrow, 1e-9);
+  v.key(Key::left), v.show();
+  EXPECT_NEAR(v.pot().window, view::kWindowLeft, 1e-9);
+  double least = 9, most = -9;
+  for (int n = 0; n < 6; ++n) {
+    v.key(Key::enter), v.show();
+    least = std::min(least, v.pot().window), most = std::max(most, v.pot().window);
+  }
+  EXPECT_EQ(least, -MovedLight::kFarthest) << "and round again";
+  EXPECT_EQ(most, MovedLight::kNearWords);
 }
 
 TEST(KilnScreen, TheWordsSayHowMuchItShrankInBothLanguages) {

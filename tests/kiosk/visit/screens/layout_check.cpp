@@ -97,7 +97,7 @@ void check_wheel(const Visitor& v, const std::string& where) {
 /// (-0.86, 0.60, 0.36), or on the other side (kiosk/picture/render/shaders/shadow.glsl).
 void add_shadow(std::vector<std::pair<float, float>>& all, const view::PotView& pot,
                 const view::Camera& camera, const Profile& shape, double size) {
-  const double side = pot.window_right ? 1 : -1, table = pot.wheel ? -0.024 : 0.0;
+  const double side = pot.window > 0 ? 1 : -1, table = pot.wheel ? -0.024 : 0.0;
   const std::size_t step = std::max<std::size_t>(1, shape.points.size() / 16);
   for (std::size_t i = 0; i < shape.points.size(); i += step) {
     const double high = size * shape.points[i].height - table, along = high / 0.60;

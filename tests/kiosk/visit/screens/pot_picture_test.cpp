@@ -70,8 +70,8 @@ TEST(PotPicture, IsTheSameInAMirrorWhereWordsStandAtTheRightItsLightToo) {
       SCOPED_TRACE(screen + std::to_string(wide));
       for (Visitor* v : {&right, &left}) v->frames(1);
       const view::PotView &a = *right.frame.pot, &b = *left.frame.pot;
-      EXPECT_FALSE(a.window_right);
-      EXPECT_TRUE(b.window_right);
+      EXPECT_EQ(a.window, view::kWindowLeft);
+      EXPECT_EQ(b.window, view::kWindowRight);
       EXPECT_NEAR(a.camera.distance, b.camera.distance, 1e-6) << "it is as large";
       EXPECT_NEAR(a.camera.centre_x, static_cast<float>(wide) - b.camera.centre_x, 0.5f);
     };
@@ -80,8 +80,8 @@ TEST(PotPicture, IsTheSameInAMirrorWhereWordsStandAtTheRightItsLightToo) {
     same("wheel");
     for (Visitor* v : {&right, &left}) v->touch("throw.done");
     right.frames(1), left.frames(1);
-    EXPECT_FALSE(right.frame.pot->window_right);
-    EXPECT_TRUE(left.frame.pot->window_right);
+    EXPECT_EQ(right.frame.pot->window, view::kWindowLeft);
+    EXPECT_EQ(left.frame.pot->window, view::kWindowRight);
     for (Visitor* v : {&right, &left}) v->touch("result.keep");
     same("kiln");
   }
@@ -94,7 +94,7 @@ TEST(PotPicture, UprightLightComesFromTheLeftWhicheverHand) {
     std::tie(v.width, v.height) = std::pair(1080, 1920);
     v.show();
     ASSERT_TRUE(v.frame.pot);
-    EXPECT_FALSE(v.frame.pot->window_right);
+    EXPECT_EQ(v.frame.pot->window, view::kWindowLeft);
   }
 }
 
