@@ -159,11 +159,9 @@ DecorationRead check_decoration(const std::filesystem::path& toml) {
   Decoration& out = read.decoration;
   toml::TomlReader reader(toml);
   Table root = reader.root();
-  root.require("sources", "Say where it is published how it was decorated.");
-  root.require("simplified", "Say what is simplified; \"nothing\" if so.");
+  read_source(root, "sources", "Say where it is published how it was decorated.", out.sources);
+  read_source(root, "simplified", "Say what is simplified; \"nothing\" if so.", out.simplified);
   root.require("body", "Write the colour of the fired clay: body = \"#E7E6DE\".");
-  root.text("sources", out.sources);
-  root.text("simplified", out.simplified);
   root.text("checked_by", out.checked_by);
   settings::read_color(root, "body", out.body);
   out.glaze = {1.0f, 1.0f, 1.0f};

@@ -82,6 +82,13 @@ Motif read_motif(toml::TomlReader::Table& table, const std::string& id) {
   return motif;
 }
 
+void read_source(toml::TomlReader::Table& table, const char* key, const char* remedy,
+                 std::string& out) {
+  table.require(key, remedy);
+  if (table.text(key, out) && out.find_first_not_of(" \t\r\n") == std::string::npos)
+    table.complain(key, std::string(key) + " is empty.", remedy);
+}
+
 bool read_length(toml::TomlReader::Table& table, const std::string& key, double unit, double low,
                  double high, double& out) {
   double value = 0.0;

@@ -18,6 +18,10 @@ struct Motif {
 /// Reads the table [motif.ID]: its areas and lines. Notes what is wrong, and leaves that out.
 Motif read_motif(toml::TomlReader::Table& table, const std::string& id);
 
+/// Reads a text that must be there and say something; `remedy` for a Problem of either.
+void read_source(toml::TomlReader::Table& table, const char* key, const char* remedy,
+                 std::string& out);
+
 /// A length in `unit`s of m, 1e-3 or 1e-6, under `key`; `low` and `high` are in that unit, too.
 bool read_length(toml::TomlReader::Table& table, const std::string& key, double unit, double low,
                  double high, double& out);

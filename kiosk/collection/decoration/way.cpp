@@ -222,12 +222,6 @@ class WayReader {
     table.finish();
   }
 
-  static void read_source(Table& root, const char* key, const char* remedy, std::string& out) {
-    root.require(key, remedy);
-    if (root.text(key, out) && out.find_first_not_of(" \t\r\n") == std::string::npos)
-      root.complain(key, std::string(key) + " is empty.", remedy);
-  }
-
   void read_figure(Table& table, WayTool& tool) const {
     table.require("motifs", "Name the figures: motifs = [\"leaf\"].");
     tool.motifs = named(table, "motifs", way_.figures, "motif");

@@ -4,6 +4,7 @@
 
 #include "engine/base/nearest_name.h"
 #include "kiosk/ground/toml/toml_reader_impl.h"
+#include "kiosk/ground/toml/written_twice.h"
 
 namespace onggi::toml {
 
@@ -52,6 +53,10 @@ void TomlReader::parse(const std::string& text) {
   const Place at = parsed ? Place{} : impl_->place(parsed.error().source());
   if (parsed || (fault && at.line >= file.fault_line())) {
     impl_->problems.push_back(*fault);
+    return;
+  }
+  if (auto twice = written_twice(parsed.error().description(), text, at.line)) {
+    impl_->problems.push_back({impl_->where(at), std::move(twice->what), std::move(twice->remedy)});
     return;
   }
   const std::string line = line_of(text, at.line);

@@ -68,6 +68,21 @@ TEST(DecorationFile, EachFaultHasItsLineAndARemedy) {
             "it has 2 points, but needs 3 to 500.");
 }
 
+TEST(DecorationFile, SaysFromWhereItIsKnown) {
+  for (const char* key : {"sources", "simplified"})
+    for (const char* nothing : {"", " \\n\\t"}) {
+      std::string text = kHead;
+      const auto from = text.find('"', text.find(key)) + 1;
+      text.replace(from, text.find('"', from) - from, nothing);
+      const DecorationRead found = read(text);
+      ASSERT_EQ(found.problems.size(), 1u) << text;
+      EXPECT_EQ(found.problems[0].what, std::string(key) + " is empty.");
+      EXPECT_TRUE(found.problems[0].where.ends_with(key[1] == 'o' ? ":1:11" : ":2:14"))
+          << found.problems[0].where;
+      EXPECT_FALSE(found.problems[0].remedy.empty());
+    }
+}
+
 TEST(DecorationFile, AFileThatIsNotThereIsOneProblem) {
   EXPECT_FALSE(read_decoration("no/such/decoration.toml"));
 }
