@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 namespace onggi::decorating {
 namespace {
 
@@ -25,6 +30,41 @@ TEST(CalmLine, ItsWayIsSmoothThroughTheMiddles) {
   for (std::size_t n = 1; n < then.way.size(); ++n) {
     EXPECT_GE(then.way[n].turns, then.way[n - 1].turns);
     EXPECT_LE(then.way[n].along, 0.0715);
+  }
+}
+
+// At five frames a second, and with a device that tells one place a frame, a circle drawn in a
+// second has five points. It is smaller then, and still round.
+TEST(CalmLine, AQuickCircleOfFewPointsIsRound) {
+  const double turn = 6.283185307179586, radius = 0.06, circle = 0.02;
+  const surface::HandPlace middle{0.1, 0.5};
+  for (const int points : {4, 5, 6, 8, 60}) {
+    surface::HandPlace drawn{middle.along + circle, middle.turns}, tip = drawn;
+    std::vector<std::pair<double, double>> way;  // m, from the circle's middle
+    for (int n = 1; n <= 2 * points; ++n) {
+      const double at = turn * n / points;
+      const double turns = middle.turns + circle * std::sin(at) / (turn * radius);
+      const CalmPart part =
+          calm_part(drawn, tip, middle.along + circle * std::cos(at), turns - tip.turns, radius);
+      for (const surface::HandPlace& place : part.way)
+        way.emplace_back(place.along - middle.along, (place.turns - middle.turns) * turn * radius);
+      drawn = part.way.back();
+      tip = part.tip;
+    }
+    double least = 1.0, most = 0.0;
+    // The second time round: the first begins in the middle of a stroke.
+    for (std::size_t n = way.size() / 2; n + 1 < way.size(); ++n) {
+      const auto [x0, y0] = way[n - 1];
+      const auto [x, y] = way[n];
+      const auto [x1, y1] = way[n + 1];
+      const double bend =
+          std::remainder(std::atan2(y1 - y, x1 - x) - std::atan2(y - y0, x - x0), turn);
+      EXPECT_LT(std::abs(bend), 0.14) << points << ": a corner of 8 degrees";
+      least = std::min(least, std::hypot(x, y));
+      most = std::max(most, std::hypot(x, y));
+    }
+    EXPECT_LT(most - least, 0.001) << points;
+    EXPECT_GT(least, 0.65 * circle) << points;
   }
 }
 
