@@ -45,6 +45,12 @@ TEST(Glazes, ACeladonIsGreenTenmokuNearlyBlackAndPorcelainNearlyWhite) {
   EXPECT_GT(of("onggi")[0], 2 * of("onggi")[2]) << "brown";
 }
 
+// A visitor's pot is called by its glaze alone. What is painted on it, a visitor paints.
+TEST(Glazes, NoneOfOursPaintsAnything) {
+  for (const Glaze& glaze : read_glazes("content/glazes.toml", {"en"}).glazes)
+    EXPECT_EQ(glaze.look.band_width, 0.0f) << glaze.id;
+}
+
 TEST_F(GlazeTest, ACuratorAddsOneByWritingIt) {
   const GlazesRead r = read(glaze("ash", "gloss = 0.3\nband = \"#2F4B7C\"\nband_height = 0.5\n"));
   EXPECT_THAT(r.problems, IsEmpty()) << to_text(r.problems.front());

@@ -210,6 +210,8 @@ TEST_F(Decorated, WhiteSlipIsPalerThanItsGroundUnderCeladonAndTheGlazesOwnBandIs
   EXPECT_GT(slip.g * clear.r, slip.r * clear.g) << "greener than through clear glass";
   frame.pot->glazing.look = look_of("white_porcelain");
   frame.pot->glazing.look.gloss = 0;
+  frame.pot->glazing.look.band_height = 0.84f;
+  frame.pot->glazing.look.band_width = 0.014f;
   const double at = static_cast<double>(frame.pot->glazing.look.band_height);
   const view::Image plain = bare(pot, frame), painted = show(pot, frame, true);
   const auto bluest = [&](const view::Image& image) {
