@@ -110,6 +110,13 @@ void copy(int x, int y, int width, int height) {
                     GL_NEAREST);
 }
 
+void copy_depth(int x, int y, int width, int height) {
+  if (width < 1 || height < 1) return;
+  work.copied += area(width, height);
+  glBlitFramebuffer(x, y, x + width, y + height, x, y, x + width, y + height,
+                    GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+}
+
 bool Shading::counted() { return epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query"); }
 
 Shading::Shading(bool on) {

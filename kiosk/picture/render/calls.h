@@ -43,6 +43,8 @@ void texture_samples(int samples, GLint internal, int width, int height);
 /// Copies the colours of a rectangle from the read framebuffer to the draw framebuffer. From the
 /// lower left.
 void copy(int x, int y, int width, int height);
+/// The same for depth and stencil; both are of one kind and have one sample a pixel.
+void copy_depth(int x, int y, int width, int height);
 
 /// Counts shader runs during its life, if `on` and if the driver can. Waits for them at its end.
 class Shading {

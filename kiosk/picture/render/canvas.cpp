@@ -105,7 +105,7 @@ void Canvas::paint_pot(Stage& stage, const view::Frame& frame, const Quality& qu
     glEnable(GL_SCISSOR_TEST);
   }
   space_.bind();
-  stage.draw_pot(*frame.pot, quality, scale);
+  stage.draw_pot(*frame.pot, quality, scale, &space_, samples_ == 0 ? &bare_ : nullptr);
 }
 
 void Canvas::paint_ground(Stage& stage, const view::PotView& pot) {
@@ -220,7 +220,8 @@ void Canvas::compose(GLuint framebuffer, const Painters& with) {
   if (pot) {
     const auto opacity = static_cast<float>(std::clamp(frame_.pot->opacity, 0.0, 1.0));
     with.stage.backdrop().lay(space_, ground.color(), box, opacity, width, height);
-    if (samples_ == 0) with.stage.draw_edges(*frame_.pot, space_, ground.color(), width, height);
+    if (samples_ == 0)
+      with.stage.draw_edges(*frame_.pot, space_, bare_, ground.color(), width, height);
   }
   with.items.draw(frame_.items, with.pictures, width, height);
   if (frame_.fade > 0 && has_before_)

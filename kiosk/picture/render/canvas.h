@@ -67,6 +67,7 @@ class Canvas {
     friend bool operator==(const Ground&, const Ground&) = default;
   };
   Target picture_, plaster_, before_, space_, ground_;
+  BareDepths bare_;  // of space_
   std::optional<Ground> of_ground_;
   int samples_ = -1;
   view::Frame frame_;  ///< As last painted,

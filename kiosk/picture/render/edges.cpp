@@ -8,7 +8,8 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kEdgeSpace = 0, kEdgeGround = 1, kEdgeAway = 2, kEdgeStrip = 3;  // texture units
+constexpr int kEdgeSpace = 0, kEdgeGround = 1, kEdgeAway = 2, kEdgeStrip = 3,
+              kEdgeBare = 4;  // texture units
 
 void attribute(GLuint at, std::size_t offset) {
   glEnableVertexAttribArray(at);
@@ -17,6 +18,17 @@ void attribute(GLuint at, std::size_t offset) {
 }
 
 }  // namespace
+
+void BareDepths::keep(const Target& space, glm::ivec4 around) {
+  part = around;
+  if (part.x >= part.z || part.y >= part.w) return;
+  if (target.width() != space.width() || target.height() != space.height())
+    target = Target(space.width(), space.height(), true, 0);
+  calls::bind_framebuffer(GL_READ_FRAMEBUFFER, space.framebuffer());
+  calls::bind_framebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer());
+  calls::copy_depth(part.x, part.y, part.z - part.x, part.w - part.y);
+  space.bind();
+}
 
 Result<std::unique_ptr<Edges>> Edges::create() {
   std::unique_ptr<Edges> edges(new Edges);
@@ -59,7 +71,8 @@ void Edges::prepare(const ClaySurface& clay, const WallMesh& wall, const view::P
   glDisable(GL_CULL_FACE);
 }
 
-void Edges::draw(const Target& space, const Texture& ground, float opacity, int width, int height) {
+void Edges::draw(const Target& space, const BareDepths& bare, const Texture& ground, float opacity,
+                 int width, int height) {
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -81,6 +94,10 @@ void Edges::draw(const Target& space, const Texture& ground, float opacity, int 
     space.depth().bind(kEdgeAway);
     program.set("away", kEdgeAway);
     if (mode == 0) {
+      const Target& without = bare.target.width() > 0 ? bare.target : space;
+      without.depth().bind(kEdgeBare);
+      program.set("bare", kEdgeBare);
+      program.set("fingers", glm::vec4(bare.part));
       const glm::vec2 slope =
           glm::vec2(now_.head) *
           glm::vec2(static_cast<float>(width) / static_cast<float>(space.width()),

@@ -11,6 +11,14 @@
 
 namespace onggi::render {
 
+/// Depths of a picture in space as they were before its fingers were drawn. A finger fades, so that
+/// edges behind it show.
+struct BareDepths {
+  Target target;       ///< As large as the picture; none before the first finger.
+  glm::ivec4 part{0};  ///< Where it is filled, texels: left, low, right, high. Empty: no finger.
+  void keep(const Target& space, glm::ivec4 around);  ///< Fills that part; binds `space`.
+};
+
 /// Smooth edges on a 3-D picture that is drawn with one sample a pixel, smaller than the frame.
 /// Each outline is a narrow ribbon over the composed picture, at the frame's full size.
 class Edges {
@@ -23,7 +31,8 @@ class Edges {
                const glm::mat4& clip, double scale);
   void draw_lip() const { lip_.draw(); }
   /// Draws them into the bound target, which shows `space` over `ground` and is a whole frame.
-  void draw(const Target& space, const Texture& ground, float opacity, int width, int height);
+  void draw(const Target& space, const BareDepths& bare, const Texture& ground, float opacity,
+            int width, int height);
 
  private:
   Edges() = default;

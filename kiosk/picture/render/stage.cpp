@@ -54,6 +54,26 @@ float pixel_size(const view::Camera& camera, double scale) {
                             (camera.height * scale));
 }
 
+// The texels that fingers may cover: left, low, right, high. Empty without a finger.
+glm::ivec4 fingers_in(const view::PotView& pot, double scale, const Target& space) {
+  glm::ivec4 part(space.width(), space.height(), 0, 0);
+  for (const HandView& hand : pot.hands) {
+    if (!hand.present || !ToolPainter::fades(hand)) continue;
+    const auto at = pot.camera.project(hand.at);
+    if (!at) return {0, 0, space.width(), space.height()};
+    // Nearer than the axis it is drawn larger.
+    const double x = at->first * scale,
+                 y = (static_cast<double>(pot.camera.height) - at->second) * scale,
+                 around = 1.5 * ToolPainter::reach(hand) / pixel_size(pot.camera, scale) + 2.0;
+    part = {std::min(part.x, static_cast<int>(x - around)),
+            std::min(part.y, static_cast<int>(y - around)),
+            std::max(part.z, static_cast<int>(x + around)),
+            std::max(part.w, static_cast<int>(y + around))};
+  }
+  return {std::max(part.x, 0), std::max(part.y, 0), std::min(part.z, space.width()),
+          std::min(part.w, space.height())};
+}
+
 float size_of(const view::PotView& pot) {
   return static_cast<float>(std::clamp(pot.size, 0.5, 1.0));
 }
@@ -144,7 +164,8 @@ void Stage::draw_ground(const view::PotView& pot, const Texture& plaster,
                          static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0)));
 }
 
-void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double scale) {
+void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double scale,
+                     const Target* space, BareDepths* bare) {
   const bool shown = !clay_.empty();
   glClearColor(0, 0, 0, 0);
   glClearStencil(0);
@@ -183,14 +204,22 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
     glDisable(GL_STENCIL_TEST);
   }
 
-  // 3. The tools, which fade into the air.
-  draw_hands(pot, clip);
-  // 4. The vessel, both sides, because open scans show their inside.
+  // 3. The vessel, both sides, because open scans show their inside.
   if (pot.beside) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     draw_model(vessel_, vessel_levels_, pot.beside->camera, pot.beside->angle);
+    glEnable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
   }
+  // 4. The tools, and the fingers, which fade into the air.
+  draw_hands(pot, clip, false);
+  if (bare != nullptr) {
+    glDisable(GL_SCISSOR_TEST);
+    bare->keep(*space, fingers_in(pot, scale, *space));
+    glEnable(GL_SCISSOR_TEST);
+  }
+  draw_hands(pot, clip, true);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
 }
@@ -212,10 +241,10 @@ void Stage::prepare_edges(const view::PotView& pot, double scale) {
   edges_->draw_lip();
 }
 
-void Stage::draw_edges(const view::PotView& pot, const Target& space, const Texture& ground,
-                       int width, int height) {
+void Stage::draw_edges(const view::PotView& pot, const Target& space, const BareDepths& bare,
+                       const Texture& ground, int width, int height) {
   const auto opacity = static_cast<float>(std::clamp(pot.opacity, 0.0, 1.0));
-  edges_->draw(space, ground, opacity, width, height);
+  edges_->draw(space, bare, ground, opacity, width, height);
   if (clay_.empty() || pot.cut_away <= 0.001) return;
   const float pixel = pixel_size(pot.camera, 1.0);
   const Program& program = use_clay(4, pot, clip_of(pot.camera), pixel);
@@ -386,9 +415,9 @@ void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {
   glFrontFace(GL_CCW);
 }
 
-void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip) {
+void Stage::draw_hands(const view::PotView& pot, const glm::mat4& clip, bool fading) {
   for (const HandView& hand : pot.hands)
-    if (hand.present)
+    if (hand.present && ToolPainter::fades(hand) == fading)
       tools_->draw(hand, clay_.levels(), clip,
                    [&](const Program& program) { set_light(program, pot.camera, clay_levels_); });
 }

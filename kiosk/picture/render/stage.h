@@ -57,15 +57,16 @@ class Stage {
   /// Draws the vessel's shadow on a ground of this size. Call prepare() first.
   void draw_vessel_ground(const view::PotView& pot, int width, int height);
   /// Draws the pot and the vessel beside it into the bound target, which is `scale` times the
-  /// camera's size.
-  void draw_pot(const view::PotView& pot, const Quality& quality, double scale);
+  /// camera's size. `space` is that target if its edges will be drawn, and `bare` is for them.
+  void draw_pot(const view::PotView& pot, const Quality& quality, double scale,
+                const Target* space = nullptr, BareDepths* bare = nullptr);
   /// Call before draw_pot() with one sample a pixel, if its edges are to be smooth: finds them, and
   /// draws the lip for them. Leaves another target bound.
   void prepare_edges(const view::PotView& pot, double scale);
   /// Smooths the edges of a picture in `space` that is laid over `ground` in the bound frame, and
   /// draws a section as finely as the frame.
-  void draw_edges(const view::PotView& pot, const Target& space, const Texture& ground, int width,
-                  int height);
+  void draw_edges(const view::PotView& pot, const Target& space, const BareDepths& bare,
+                  const Texture& ground, int width, int height);
   void draw_portrait(const Portrait& portrait);
   /// The clay's surface at the positions of `mesh`, which must be the clay's own: dry, or fired in
   /// `glazing`. Ignores the bound target, and leaves another one bound.
@@ -90,7 +91,7 @@ class Stage {
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
   void draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
                   double turned);
-  void draw_hands(const view::PotView& pot, const glm::mat4& clip);
+  void draw_hands(const view::PotView& pot, const glm::mat4& clip, bool fading);
   /// Prepares the current program of clay.glsl, except for mesh and tears.
   void set_clay(const Program& program, const view::PotView& pot, const glm::mat4& clip,
                 float pixel);

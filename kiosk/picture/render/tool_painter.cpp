@@ -188,6 +188,11 @@ Result<std::unique_ptr<ToolPainter>> ToolPainter::create() {
   return painter;
 }
 
+bool ToolPainter::fades(const HandView& hand) {
+  return (hand.body == BodyKind::ball && !is_sponge(hand)) ||
+         (hand.body == BodyKind::capsule && !is_needle(hand));
+}
+
 double ToolPainter::reach(const HandView& hand) {
   switch (hand.body) {
     case BodyKind::ball:

@@ -24,6 +24,8 @@ class ToolPainter {
   /// ball is. Draws into the bound target, premultiplied, with depth.
   void draw(const HandView& hand, const Levels& levels, const glm::mat4& clip,
             const std::function<void(const Program&)>& light) const;
+  /// True of a finger: what lies behind it shows through, more and more along it.
+  static bool fades(const HandView& hand);
   /// Largest distance of any drawn part of `hand` from hand.at, metres.
   static double reach(const HandView& hand);
 

@@ -8,6 +8,8 @@ uniform sampler2D space, away, ground, strips;
 uniform float opacity;
 #if MODE == 0
 uniform vec4 head;  // the wheel head's depth by texel; by how much clay on it is nearer
+uniform sampler2D bare;  // depths without the fingers, in the part `fingers`: left, low, right, high
+uniform vec4 fingers;
 uniform mat3 disc;  // the wheel head's ellipse by pixel: 0 on it, positive outside
 #endif
 
@@ -34,12 +36,18 @@ out vec4 color;
 #if MODE == 0
 vec4 nearer, before, behind, wheel;  // sums of colours,
 vec4 shares;                         // and of their weights
+bool fingered;    // a finger, which fades, lies before a texel
 vec2 far_shares;  // of texels before the edge and of the wheel head that are not on it
 
 // `inside`: texels from the edge. On it light changes fast, and a texel shows it as a dash.
 void take(ivec2 texel, float weight, float inside) {
   ivec2 at = clamp(texel, ivec2(0), textureSize(space, 0) - 1);
   float depth = texelFetch(away, at, 0).r;
+  if (all(greaterThanEqual(vec2(at), fingers.xy)) && all(lessThan(vec2(at), fingers.zw))) {
+    float without = texelFetch(bare, at, 0).r;
+    fingered = fingered || depth < without;
+    depth = without;
+  }
   bool of_wheel = depths.z > 0.5;
   // Where clay meets the wheel head both are as deep.
   bool low = depth > dot(head.xyz, vec3(at, 1.0)) + (inside > 0.0 && !of_wheel ? head.w : -head.w);
@@ -74,6 +82,7 @@ void main() {
   ivec2 texel = ivec2(low);
   shares = nearer = before = behind = wheel = vec4(0.0);
   far_shares = vec2(0.0);
+  fingered = false;
   float texel_size = size.x / float(textureSize(space, 0).x);
   float inside = (clamp(beyond, -1.0, 1.0) - beyond) / texel_size + dot(n, part);
   take(texel, (1.0 - part.x) * (1.0 - part.y), inside);
@@ -92,7 +101,7 @@ void main() {
                         : farther;
   // The picture's coarse mesh may end a little off the edge.
   before = (before + kFarther * beside(at - 1.5 * n)) / (far_shares.x + kFarther);
-  vec4 one = strip.x >= 0.0 ? drawn : before;
+  vec4 one = strip.x >= 0.0 && !fingered ? drawn : before;
   vec4 over = nearer + (1.0 - shares.x) * mix(behind, one, cover);
 #else
   vec2 in_at = (gl_FragCoord.xy - n * max(depths.y + beyond, 0.0)) / size,
