@@ -64,6 +64,8 @@ void draw_ghost(Page& page, const view::Camera& camera, const Profile& target,
           draw_stroke(page, run.points, view::kFaintInk, 1.6f * unit);
           break;
         case Fit::wide:
+          // Iron red lies on clay of nearly its own colour and light.
+          page.draw(view::Line{run.points, {view::kPlaster}, 6.4f * unit});
           draw_stroke(page, run.points, view::kIron, 2.8f * unit);
           break;
         case Fit::narrow:
