@@ -295,8 +295,10 @@ def write_way(site, case):
     for name, color, hides in (("white", "#FFFFFF", (1, 60, 1000)), ("black", "#000000", (1000, 15, 1))):
         table(f"[pigment.{name}]", {"color": f'"{color}"', "hides_um": hides[case.end]}, name=name)
     ring = [[round(0.5 * math.cos(2 * math.pi * n / 9), 4), round(0.5 * math.sin(2 * math.pi * n / 9), 4)] for n in range(9)]
-    spirals = [[[round(math.cos(n + t) * n / 1000, 4), round(math.sin(n + t) * n / 1000, 4)] for n in range(500)] for t in range(4)]
-    drawn = "{points = " + "}, {points = ".join(str(one) for one in (spirals if case.end == 2 else [ring])) + "}"
+    # As many points as a figure may have, and as long as a tool of 40 mm may draw it.
+    knots = [[[round(0.07 * math.cos(n + t) + 0.3 * math.cos(1.6 * t), 4), round(0.07 * math.sin(n + t) + 0.3 * math.sin(1.6 * t), 4)]
+              for n in (6.3 * m / 499 for m in range(500))] for t in range(4)]
+    drawn = "{points = " + "}, {points = ".join(str(one) for one in (knots if case.end == 2 else [ring])) + "}"
     table("[motif.leaf]", {"line" if case.end == 2 else "fill": f"[{drawn}]"}, name="Leaf")
     for n, (law, hand, more, keys) in enumerate(WAYS[case.way]):
         values = {"id": f'"tool_{n}"', "law": f'"{law}"', "hand": f'"{hand}"'}

@@ -86,7 +86,10 @@ class TimedVisit {
       faster_ = kiosk_->doing().saving || kiosk_->doing().turning ? 1.0 : kFaster;
       if (auto good = frame(std::string(screens::name_of(kiosk_->visit().screen()))); !good)
         return good;
+      // What it touches is a frame's work, too.
+      const Stopwatch touching;
       if (auto good = visitor.step(now_); !good) return good;
+      note(touching.taken(), std::string(screens::name_of(kiosk_->visit().screen())) + ", a touch");
     }
     // As before another exhibit is opened: systemd waits meanwhile as it waits for a frame.
     const Stopwatch closing;

@@ -30,6 +30,18 @@ constexpr double kFar = 1.0;  // units of a figure
 constexpr double kHigh = 0.55;
 constexpr std::size_t kMostInFigure = 8 * 2000;  // of a smoothed figure
 constexpr std::array<std::string_view, 3> kSections{"v", "u", "flat"};
+// A square metre of brush takes some 1.2 s of a slow core. A narrow tool's way costs like a wide
+// one's of 2 mm.
+constexpr double kMostDrawn = 0.1, kNarrow = 0.002;  // m^2, m
+
+/// Of all lines and outlines, in units of the figure.
+double drawn_length(const Motif& motif) {
+  double sum = 0.0;
+  for (const auto* all : {&motif.lines, &motif.fills})
+    for (const std::vector<Vec2>& points : *all)
+      for (std::size_t n = 1; n < points.size(); ++n) sum += length(points[n] - points[n - 1]);
+  return sum;
+}
 
 /// How a law can be led.
 bool fits(Law law, WayTool::Hand hand) {
@@ -194,6 +206,7 @@ class WayReader {
     if (!good) return;
     if (tool.hand == WayTool::figure) read_figure(table, tool);
     tool.law = read_law(table, law, tool);
+    if (tool.hand == WayTool::figure) check_drawn(table, tool);
     if (std::string needs; table.text("needs", needs)) {
       const auto found = std::ranges::find(way_.tools, needs, &WayTool::id);
       if (found == way_.tools.end())
@@ -234,6 +247,27 @@ class WayReader {
   void read_slip(Table& table, WayTool& tool, bool needed) const {
     if (needed) table.require("with", "Name the pigments: with = [\"white\"].");
     tool.pigments = named(table, "with", way_.pigments, "pigment");
+  }
+
+  /// What a touch draws at once, all round the pot, must not hold up the screen.
+  void check_drawn(Table& table, const WayTool& tool) const {
+    const double width = std::visit(
+        [](const auto& law) {
+          if constexpr (requires { law.width; }) return law.width;
+          return 0.0;
+        },
+        tool.law);
+    for (const int figure : tool.motifs) {
+      const Way::Figure& drawn = way_.figures[static_cast<std::size_t>(figure)];
+      const double area =
+          std::end(kRepeats)[-1] * tool.size * drawn_length(drawn.motif) * std::max(width, kNarrow);
+      if (area > kMostDrawn)
+        return table.complain("motifs",
+                              "the lines of \"" + drawn.id +
+                                  "\" are so long, and the tool so wide, that 12 of it would hold "
+                                  "up the screen.",
+                              "Draw it with shorter lines, or make size_mm or width_mm less.");
+    }
   }
 
   surface::Tool read_law(Table& table, Law law, WayTool& tool) const {

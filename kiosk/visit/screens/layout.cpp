@@ -14,6 +14,7 @@ constexpr double kReachLow = 380.0, kReachHigh = 1220.0;  // mm above the floor,
 constexpr float kLarger = 1.3f, kLeadOfLarger = 1.1f;
 constexpr float kTitlesGive = 0.6f, kGapsGive = 0.4f;  // at most, of the size beyond body text
 constexpr float kBodyStep = 0.94f;
+constexpr float kLeastInReach = 1.0f / 3.0f;
 constexpr float kPotInReach = 0.28f;  // of its height, in portrait
 constexpr float kReadAbove = 0.6f;    // of the reach: higher text is too far from the buttons
 constexpr float kUpright = 0.8f;      // of the width: a higher page has the pot above the words
@@ -33,8 +34,12 @@ view::Rect in_reach(const settings::Exhibit::Screen& screen, int width, int heig
     return static_cast<float>(std::clamp(std::round(y), 0.0, static_cast<double>(height)));
   };
   const float top = row(kReachHigh), foot = row(kReachLow);
-  // A page completely out of reach gains nothing from a smaller area.
-  return foot - top < 1 ? view::Rect{0, 0, w, h} : view::Rect{0, top, w, foot - top};
+  // A page completely out of reach gains nothing from a smaller area, and in less than a third of
+  // the picture nobody can read or touch anything.
+  if (foot - top < 1) return {0, 0, w, h};
+  const float high = std::max(foot - top, kLeastInReach * h);
+  const float from = std::max(0.0f, foot - high);
+  return {0, from, w, high};
 }
 
 GiveWay give_way(int step, bool low) {

@@ -147,6 +147,26 @@ TEST(Way, EachFaultHasItsLineAndARemedy) {
             "motif.dot.line[0].points[0] is a list of 1, but must be a point.");
 }
 
+// Of 500 points, and a tool 40 mm wide: one touch took half a minute.
+TEST(Way, AFigureThatWouldHoldUpTheScreenIsNamed) {
+  std::string points;
+  for (int n = 0; n < 400; ++n)
+    points += (n == 0 ? "[" : ", [") + std::to_string(n % 2 == 0 ? -0.4 : 0.4) + ", " +
+              std::to_string(-0.5 + n / 400.0) + ", \"corner\"]";
+  const std::string scribble =
+      "[[motif.scribble.line]]\npoints = [" + points + "]\n[motif.scribble.name]\nen = \"S\"\n";
+  const auto with = [&](const std::string& keys) {
+    return read(kHead + scribble +
+                tool("id = \"a\"\nlaw = \"brush\"\nhand = \"figure\"\nwith = [\"red\"]\n"
+                     "motifs = [\"scribble\"]\n" +
+                     keys));
+  };
+  const WayRead found = with("size_mm = 100\nwidth_mm = 40\n");
+  ASSERT_EQ(found.problems.size(), 1u);
+  EXPECT_NE(found.problems[0].what.find("\"scribble\" are so long"), std::string::npos);
+  EXPECT_TRUE(with("size_mm = 10\nwidth_mm = 2\n").problems.empty());
+}
+
 TEST(Way, OneMistakeInAToolIsOneMessageWhateverHangsOnIt) {
   const auto fault = [](const std::string& text) {
     const WayRead found = read(text);

@@ -215,6 +215,9 @@ TEST(Comfort, LowReachIsReckonedFromHowLargeTheScreenIsAndHowHighItHangs) {
   EXPECT_EQ(in_reach(screen, 600, 800), (view::Rect{0, 0, 600, 620}));
   screen.lower_edge_mm = 400;
   EXPECT_EQ(in_reach(screen, 600, 800), (view::Rect{0, 0, 600, 800}));
+  // 5 m across, from 1 m up: 0.2 m of it are in reach, in which nothing has space.
+  screen.diagonal_mm = 5000, screen.lower_edge_mm = 1000;
+  EXPECT_EQ(in_reach(screen, 1920, 1080), (view::Rect{0, 720, 1920, 360}));
 }
 
 TEST(Comfort, InLowReachAPotIsWhereAHandReachesItAndWhereNoHandNeedsToItIsLargeAboveTheButtons) {
