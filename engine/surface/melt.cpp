@@ -271,7 +271,7 @@ void Melt::lay_row(int j) {
 std::int64_t Melt::work(int n) {
   switch (stage_) {
     case Stage::fill:
-      return fill_row(n), kSectors;
+      return fill_row(n), 2 * kSectors;
     case Stage::round:
       return level_row(n), 2 * kSectors;
     case Stage::along:
@@ -285,9 +285,9 @@ std::int64_t Melt::work(int n) {
       for (int i = 0; i < kSectors; ++i)
         if (melted_[cell(n, i)] != 0)
           laid_ += std::int64_t{wanted(n, i)} * kUnit * surface_->row(n).area;
-      return kSectors;
+      return 2 * kSectors;
     default:
-      return lay_row(n), kSectors;
+      return lay_row(n), 2 * kSectors;
   }
 }
 

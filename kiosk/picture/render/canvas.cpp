@@ -70,6 +70,8 @@ view::Rect reach_of_vessel(const Stage& stage, const view::Frame& frame) {
                   frame.height, Reach::solid);
 }
 
+constexpr double kPlasterStep = 0.05;  // rad of the window
+
 }  // namespace
 
 void Canvas::resize(int width, int height) {
@@ -153,7 +155,9 @@ void Canvas::turn_to(const view::Frame& frame, const Painters& with) {
 void Canvas::paint_plaster(const Painters& with, const view::Frame& frame) {
   // It depends on its size and on where its window is.
   const double window = frame.pot ? frame.pot->window : view::kWindowLeft;
-  if (plaster_.width() != 0 && plaster_window_ == window) return;
+  // A moving light paints it anew in steps that nobody sees: it is a tenth of a frame without a
+  // GPU.
+  if (plaster_.width() != 0 && std::abs(plaster_window_ - window) < kPlasterStep) return;
   if (plaster_.width() == 0) plaster_ = Target(frame.width, frame.height, false, 0);
   plaster_window_ = window;
   plaster_.bind();

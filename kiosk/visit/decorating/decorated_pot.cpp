@@ -29,7 +29,7 @@ constexpr double kMovedFigure = 0.0015;                // m, of a finger that ca
 constexpr double kTurnAngle = 2.0 * 3.14159265358979;  // rad
 constexpr int kTilesAFrame = 40;                       // some 7 ms
 constexpr int kMost = 1 << 20;
-constexpr std::int64_t kMeltAFrame = 500'000;  // cells, some 6 ms; a tall pot needs 65 frames
+constexpr std::int64_t kMeltAFrame = 500'000;  // cells, some 6 ms; a tall pot needs 80 frames
 
 constexpr double kSameHeight = 0.004;  // m: two dips that nobody tells apart
 constexpr double kNarrow = 0.008;  // m to either side of a ring: of a wiped one only its bare part

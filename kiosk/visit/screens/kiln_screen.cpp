@@ -103,7 +103,7 @@ class KilnScreen final : public Screen {
   }
 
   void press(const std::string& control) override {
-    if (control == kLight) return light_.press(window_);
+    if (control == kLight) return fired() ? light_.press(window_) : finish();
     if (control == "kiln.keep") {
       finish();
       burn_slips(0);
@@ -121,14 +121,15 @@ class KilnScreen final : public Screen {
     desk.go(desk.wheel().way != nullptr && desk.glaze < 0 ? ScreenId::decorate : ScreenId::result);
   }
 
-  /// A touch on the pot skips ahead. Once it is fired, a finger draws the light along.
+  /// A touch on the pot skips ahead, and a finger draws the light along.
   void pointer(const view::InputEvent& e, const Page& page) override {
-    if (fired()) return light_.pointer(e, window_, page.where().pot.w);
-    if (e.kind == view::InputEvent::Kind::pointer_down && desk.glaze >= 0) finish();
+    if (desk.glaze < 0) return;
+    if (e.kind == view::InputEvent::Kind::pointer_down) finish();
+    light_.pointer(e, window_, page.where().pot.w);
   }
   std::string step(const std::string& from, Direction to) override {
     if (from != kLight || (to != Direction::left && to != Direction::right)) return {};
-    light_.by_arrow(window_, to == Direction::right);
+    if (fired()) light_.by_arrow(window_, to == Direction::right);
     return from;
   }
   void let_go() override { light_.let_go(); }

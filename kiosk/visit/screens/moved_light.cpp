@@ -4,6 +4,11 @@
 
 namespace onggi::screens {
 
+void MovedLight::keep_within(double low, double high) {
+  low_ = low, high_ = high;
+  if (at_) move(*at_);
+}
+
 void MovedLight::move(double to) { at_ = std::clamp(to, low_, high_); }
 
 void MovedLight::pointer(const view::InputEvent& event, double from, float across) {

@@ -11,12 +11,12 @@ namespace onggi::screens {
 class MovedLight {
  public:
   static constexpr double kFarthest = 1.4;   ///< rad to a side,
-  static constexpr double kNearWords = 0.5;  ///< and to the side from which shadows fall on words.
+  static constexpr double kNearWords = 0.2;  ///< and to the side from which shadows fall on words.
   static constexpr double kAnArrow = 0.2;    ///< rad for an arrow key,
   static constexpr double kAPress = 0.7;     ///< and for Enter or the switch.
 
-  /// Where it may be, rad.
-  void keep_within(double low, double high) { low_ = low, high_ = high; }
+  /// Where it may be from now on, rad.
+  void keep_within(double low, double high);
   /// A finger or a mouse that is on no control. It draws the light along, from `from` or where it
   /// was left; `across`: pixels from one side to the other.
   void pointer(const view::InputEvent& event, double from, float across);

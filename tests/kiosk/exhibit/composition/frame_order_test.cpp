@@ -275,7 +275,7 @@ class LostScreen : public FrameOrder {
     ::setenv("DISPLAY", server.name().c_str(), 1);
     FrameOrder::SetUp();
     ask_to_keep_a_pot(false);
-    for (int n = 0; n < 3; ++n) frame();  // its postcard is drawn
+    for (int n = 0; n < 5; ++n) frame();  // its postcard is drawn
     watch_.called = [](const char* call) { std::fprintf(stderr, "asked to %s\n", call); };
     server.end();
     for (int n = 0; n < 100; ++n) kiosk_->frame(now_ += 0.04, true);

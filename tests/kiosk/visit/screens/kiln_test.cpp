@@ -6,6 +6,7 @@
 
 #include "kiosk/picture/render/text.h"
 #include "kiosk/visit/screens/moved_light.h"
+#include "tests/kiosk/visit/screens/layout_check.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
 namespace onggi::screens {
@@ -129,7 +130,7 @@ TEST(KilnScreen, AFingerDrawsTheLightRoundTheFiredPotAndATouchAloneDoesNot) {
   const auto says_so = [&] {
     return std::ranges::any_of(v.frame.items, [](const view::Item& item) {
       const auto* text = std::get_if<view::Text>(&item);
-      return text != nullptr && text->text == "Draw the light round the pot.";
+      return text != nullptr && text->text == "Move the light around the pot.";
     });
   };
   EXPECT_EQ(v.pot().window, view::kWindowLeft);
@@ -151,24 +152,46 @@ TEST(KilnScreen, AFingerDrawsTheLightRoundTheFiredPotAndATouchAloneDoesNot) {
   EXPECT_EQ(v.pot().window, -MovedLight::kFarthest) << "no finger is down";
 }
 
-TEST(KilnScreen, NoLightThrowsAShadowOnTheWordsBesideThePot) {
+TEST(KilnScreen, NoLightThrowsAShadowOnAButton) {
   for (const bool left_handed : {false, true})
-    for (const auto& [width, height] : {std::pair{1280, 720}, {1080, 1920}}) {
+    for (const auto& [width, height] :
+         {std::pair{1280, 720}, {1920, 1080}, {1024, 600}, {1080, 1920}}) {
       KilnVisitor v;
       v.exhibit.screen.left_handed = left_handed;
       v.width = width, v.height = height;
       v.make_result();
       v.glaze_and_fire();
-      const auto drawn_to = [&, x = 0.6f * static_cast<float>(width)](float to) {
-        v.down(x, 200), v.move(to, 200), v.up(to, 200), v.show();
-        return v.pot().window;
-      };
-      const bool words_at_right = left_handed && width > height;
-      const double left = drawn_to(-9000), right = drawn_to(9000);
-      EXPECT_EQ(left, words_at_right ? -MovedLight::kNearWords : -MovedLight::kFarthest);
-      EXPECT_EQ(right,
-                words_at_right || width < height ? MovedLight::kFarthest : MovedLight::kNearWords);
+      const bool mirrored = left_handed && width > height;
+      const double own = mirrored ? view::kWindowRight : view::kWindowLeft;
+      for (const float to : {-9000.0f, 9000.0f}) {
+        const float x = 0.5f * static_cast<float>(v.width);
+        v.down(x, 30), v.move(to, 30), v.up(to, 30), v.show();
+        EXPECT_NE(v.pot().window, own);
+        check_layout(v, v.plain, to < 0 ? "light at the left" : "light at the right");
+      }
     }
+}
+
+TEST(KilnScreen, ALightThatWasMovedLeavesTheWordsFreeForTheOtherHandToo) {
+  KilnVisitor v;
+  v.make_result();
+  v.glaze_and_fire();
+  v.down(900, 300), v.move(-9000, 300), v.up(-9000, 300), v.show();
+  ASSERT_EQ(v.pot().window, -MovedLight::kFarthest);
+  v.exhibit.screen.left_handed = true;
+  v.frames(0.2);
+  EXPECT_EQ(v.pot().window, -MovedLight::kNearWords);
+}
+
+TEST(KilnScreen, AFingerThatSkipsTheFiringDrawsTheLightOn) {
+  KilnVisitor v;
+  v.make_result();
+  v.touch("result.keep");
+  v.touch("kiln.glaze.0");
+  v.down(800, 300), v.show();
+  EXPECT_EQ(v.pot().finish, Finish::fired);
+  v.move(900, 300), v.show();
+  EXPECT_GT(v.pot().window, view::kWindowLeft);
 }
 
 TEST(KilnScreen, ArrowsAndOneButtonMoveTheLightToo) {

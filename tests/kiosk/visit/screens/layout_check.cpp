@@ -93,19 +93,20 @@ void check_wheel(const Visitor& v, const std::string& where) {
     }
 }
 
-/// Where a pot's shadow falls on the table, to the end of its soft edge, pixels. The window is at
-/// (-0.86, 0.60, 0.36), or on the other side (kiosk/picture/render/shaders/shadow.glsl).
+/// Where a pot's shadow falls on the table, to the end of its soft edge, pixels
+/// (kiosk/picture/render/shaders/shadow.glsl).
 void add_shadow(std::vector<std::pair<float, float>>& all, const view::PotView& pot,
                 const view::Camera& camera, const Profile& shape, double size) {
-  const double side = pot.window > 0 ? 1 : -1, table = pot.wheel ? -0.024 : 0.0;
+  const Vec3 window = view::window_at(pot.window);
+  const double table = pot.wheel ? -0.024 : 0.0;
   const std::size_t step = std::max<std::size_t>(1, shape.points.size() / 16);
   for (std::size_t i = 0; i < shape.points.size(); i += step) {
-    const double high = size * shape.points[i].height - table, along = high / 0.60;
+    const double high = size * shape.points[i].height - table, along = high / window.y;
     const double soft = 0.45 * (0.0025 + 0.24 * high / 0.54);  // 0.54: of the unit vector
     for (int k = 0; k < 24; ++k) {
       const double a = k * 0.2617993877991494, r = size * shape.points[i].outer + soft;
       const auto at = camera.project(
-          {r * std::cos(a) - side * 0.86 * along, table, r * std::sin(a) - 0.36 * along});
+          {r * std::cos(a) - window.x * along, table, r * std::sin(a) - window.z * along});
       if (at) all.push_back(*at);
     }
   }
