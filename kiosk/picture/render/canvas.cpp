@@ -155,8 +155,7 @@ void Canvas::turn_to(const view::Frame& frame, const Painters& with) {
 void Canvas::paint_plaster(const Painters& with, const view::Frame& frame) {
   // It depends on its size and on where its window is.
   const double window = frame.pot ? frame.pot->window : view::kWindowLeft;
-  // A moving light paints it anew in steps that nobody sees: it is a tenth of a frame without a
-  // GPU.
+  // A moving light paints all of it anew only in steps, which nobody sees.
   if (plaster_.width() != 0 && std::abs(plaster_window_ - window) < kPlasterStep) return;
   if (plaster_.width() == 0) plaster_ = Target(frame.width, frame.height, false, 0);
   plaster_window_ = window;

@@ -11,7 +11,7 @@ namespace onggi::screens {
 class MovedLight {
  public:
   static constexpr double kFarthest = 1.4;   ///< rad to a side,
-  static constexpr double kNearWords = 0.2;  ///< and to the side from which shadows fall on words.
+  static constexpr double kNearWords = 0.2;  ///< and to where shadows fall towards the words.
   static constexpr double kAnArrow = 0.2;    ///< rad for an arrow key,
   static constexpr double kAPress = 0.7;     ///< and for Enter or the switch.
 
