@@ -169,7 +169,7 @@ void Missions::add(const Mission& mission, const std::vector<screens::ShelfCard>
 bool Missions::draw_next_picture(render::Renderer& renderer) {
   for (screens::MissionCard& card : every_) {
     if (card.own.vessel == nullptr || card.own.picture != 0) continue;
-    card.own.picture = Shelf::draw_picture(renderer, *card.own.vessel);
+    card.own.picture = picture_.next(renderer, *card.own.vessel);
     for (screens::MissionCard& offered : cards_)
       if (offered.mission == card.mission) offered.own.picture = card.own.picture;
     return true;

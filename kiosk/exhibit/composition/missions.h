@@ -10,6 +10,7 @@
 #include "engine/profile/profile.h"
 #include "engine/scene/scene_def.h"
 #include "kiosk/collection/settings/exhibit.h"
+#include "kiosk/exhibit/composition/card_picture.h"
 #include "kiosk/exhibit/composition/scenes.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/picture/render/renderer.h"
@@ -72,6 +73,7 @@ class Missions {
   std::deque<content::Vessel> jars_;         ///< Not movable: cards point at them.
   /// Those that are on, and those that are offered.
   std::vector<screens::MissionCard> every_, cards_;
+  CardPicture picture_;
   Capabilities able_;
 };
 

@@ -13,8 +13,6 @@ namespace onggi::exhibit {
 
 namespace {
 
-constexpr int kPictureWidth = 480, kPictureHeight = 600;
-
 void read(const fs::path& path, Arrivals& arrivals, settings::ReaderLimits limits,
           const content::Arrangement& arrangement) {
   std::error_code ignored;
@@ -78,15 +76,10 @@ void Shelf::take(double now) {
                     std::to_string(problems_.size()) + " could not be used.");
 }
 
-view::PictureId Shelf::draw_picture(render::Renderer& renderer, const content::Vessel& vessel) {
-  return renderer.make_picture(vessel.mesh, vessel.color, vessel.coloring, kPictureWidth,
-                               kPictureHeight);
-}
-
 bool Shelf::draw_next_picture(render::Renderer& renderer) {
   for (screens::ShelfCard& card : cards_) {
     if (card.picture != 0) continue;
-    card.picture = draw_picture(renderer, *card.vessel);
+    card.picture = picture_.next(renderer, *card.vessel);
     return true;
   }
   return false;

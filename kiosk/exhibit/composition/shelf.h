@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kiosk/exhibit/composition/arrivals.h"
+#include "kiosk/exhibit/composition/card_picture.h"
 #include "kiosk/exhibit/composition/scenes.h"
 #include "kiosk/picture/render/renderer.h"
 #include "kiosk/visit/screens/visit.h"
@@ -34,10 +35,8 @@ class Shelf {
   const std::vector<screens::ShelfCard>& cards() const { return cards_; }
   const std::vector<Problem>& problems() const { return problems_; }
 
-  /// Draws the next missing picture; false if none is missing.
+  /// Prepares the next missing picture, or draws the prepared one; false if none is missing.
   bool draw_next_picture(render::Renderer& renderer);
-  /// In the size of a card.
-  static view::PictureId draw_picture(render::Renderer& renderer, const content::Vessel& vessel);
 
  private:
   void take(double now);
@@ -49,6 +48,7 @@ class Shelf {
   std::deque<content::Vessel> vessels_;  // not movable: cards point at them
   std::vector<Problem> problems_;
   std::vector<screens::ShelfCard> cards_;
+  CardPicture picture_;
   bool complete_ = false;
 };
 

@@ -61,10 +61,9 @@ GLint wrap_of(content::Coloring::Wrap wrap) {
 Texture texture_of(const content::Coloring::Picture& picture) {
   const auto& pixels = *picture.pixels;
   // With alpha, because OpenGL ES has no mipmap levels for sRGB without it.
-  std::vector<std::uint8_t> rgba;
-  rgba.reserve(pixels.rgb.size() / 3 * 4);
-  for (std::size_t i = 0; i + 2 < pixels.rgb.size(); i += 3)
-    rgba.insert(rgba.end(), {pixels.rgb[i], pixels.rgb[i + 1], pixels.rgb[i + 2], 255});
+  std::vector<std::uint8_t> rgba(pixels.rgb.size() / 3 * 4, 255);
+  for (std::size_t from = 0, to = 0; to < rgba.size(); from += 3, to += 4)
+    std::copy_n(&pixels.rgb[from], 3, &rgba[to]);
   Texture out = Texture::create(GL_SRGB8_ALPHA8, pixels.width, pixels.height, GL_RGBA,
                                 GL_UNSIGNED_BYTE, rgba.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);

@@ -110,9 +110,15 @@ class GlRenderer final : public Renderer {
     return stage_->read_skin(mesh, glazing);
   }
 
-  view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
-                               const content::Coloring& coloring, int width, int height) override {
-    const Portrait portrait = portrait_of(mesh, color, coloring, width, height);
+  std::shared_ptr<const Portrait> prepare_picture(const TriangleMesh& mesh,
+                                                  std::array<float, 3> color,
+                                                  const content::Coloring& coloring, int width,
+                                                  int height) override {
+    return std::make_shared<const Portrait>(portrait_of(mesh, color, coloring, width, height));
+  }
+
+  view::PictureId draw_picture(const Portrait& portrait) override {
+    const int width = portrait.camera.width, height = portrait.camera.height;
     const Target many(width, height, true, kPictureSamples);
     Target one(width, height, false, 0);
     many.bind();

@@ -22,6 +22,8 @@
 
 namespace onggi::render {
 
+struct Portrait;
+
 struct WindowOptions {
   int width = 0, height = 0;  ///< Both 0: full screen on the primary monitor.
   bool visible = true;        ///< false: the window is never mapped (scripted visits).
@@ -93,11 +95,15 @@ class Renderer {
   virtual std::vector<view::SkinPoint> read_skin(const ClayMesh& mesh,
                                                  const std::optional<view::Glazing>& glazing) = 0;
 
-  /// A picture of a mesh on a transparent ground with its soft shadow, studio light, linear base
-  /// `color`, or its `coloring` if that is not empty.
-  virtual view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
-                                       const content::Coloring& coloring, int width,
-                                       int height) = 0;
+  /// Uploads a mesh for draw_picture(): linear base `color`, or its `coloring` if that is not
+  /// empty, framed in width x height pixels. Keep it no longer than the renderer. For a scan each
+  /// of the two takes up to 0.4 s without a GPU: call them in two frames.
+  virtual std::shared_ptr<const Portrait> prepare_picture(const TriangleMesh& mesh,
+                                                          std::array<float, 3> color,
+                                                          const content::Coloring& coloring,
+                                                          int width, int height) = 0;
+  /// A picture of it on a transparent ground with its soft shadow, in studio light.
+  virtual view::PictureId draw_picture(const Portrait& portrait) = 0;
   virtual view::PictureId make_picture(const view::Image& image) = 0;
   virtual void drop_picture(view::PictureId id) = 0;
 

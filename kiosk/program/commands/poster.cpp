@@ -63,9 +63,9 @@ Result<view::Image> draw(const souvenir::PosterWords& words, const content::Vess
   if (!display) return tl::unexpected(display.error());
   auto renderer = render::Renderer::create({640, 480, false, "Onggi"});
   if (!renderer) return tl::unexpected(renderer.error());
-  const view::PictureId pot =
-      (*renderer)->make_picture(vessel.mesh, vessel.color, vessel.coloring,
-                                souvenir::kPosterPotWidth, souvenir::kPosterPotHeight);
+  const view::PictureId pot = (*renderer)->draw_picture(
+      *(*renderer)->prepare_picture(vessel.mesh, vessel.color, vessel.coloring,
+                                    souvenir::kPosterPotWidth, souvenir::kPosterPotHeight));
   return (*renderer)->draw_offscreen(souvenir::compose_poster(words, pot, (*renderer)->measure()));
 }
 

@@ -33,10 +33,12 @@ class NoRenderer : public render::Renderer {
                                          const std::optional<view::Glazing>&) override {
     return {};
   }
-  view::PictureId make_picture(const TriangleMesh&, std::array<float, 3>, const content::Coloring&,
-                               int, int) override {
-    return 0;
+  std::shared_ptr<const render::Portrait> prepare_picture(const TriangleMesh&, std::array<float, 3>,
+                                                          const content::Coloring&, int,
+                                                          int) override {
+    return nullptr;
   }
+  view::PictureId draw_picture(const render::Portrait&) override { return 0; }
   view::PictureId make_picture(const view::Image&) override { return 0; }
   void drop_picture(view::PictureId) override {}
   const view::TextMeasure& measure() const override { throw std::logic_error("not asked"); }

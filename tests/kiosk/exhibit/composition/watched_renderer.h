@@ -74,10 +74,16 @@ class WatchedRenderer final : public render::Renderer {
     tell("read_skin");
     return real_->read_skin(mesh, glazing);
   }
-  view::PictureId make_picture(const TriangleMesh& mesh, std::array<float, 3> color,
-                               const content::Coloring& coloring, int width, int height) override {
-    tell("make_picture");
-    return watch_.made = real_->make_picture(mesh, color, coloring, width, height);
+  std::shared_ptr<const render::Portrait> prepare_picture(const TriangleMesh& mesh,
+                                                          std::array<float, 3> color,
+                                                          const content::Coloring& coloring,
+                                                          int width, int height) override {
+    tell("prepare_picture");
+    return real_->prepare_picture(mesh, color, coloring, width, height);
+  }
+  view::PictureId draw_picture(const render::Portrait& portrait) override {
+    tell("draw_picture");
+    return watch_.made = real_->draw_picture(portrait);
   }
   view::PictureId make_picture(const view::Image& image) override {
     tell("make_picture");

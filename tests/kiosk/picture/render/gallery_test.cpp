@@ -228,8 +228,8 @@ TEST_F(Gallery, TheShelfOfTheExhibit) {
   for (const auto& folder : folders) {
     const auto model = content::read_gltf(folder / "vessel.glb");
     if (!model) continue;
-    pictures.push_back(
-        r.make_picture(model->mesh, {0.62f, 0.44f, 0.31f}, model->coloring, 400, 420));
+    pictures.push_back(r.draw_picture(
+        *r.prepare_picture(model->mesh, {0.62f, 0.44f, 0.31f}, model->coloring, 400, 420)));
     const auto k = static_cast<float>(pictures.size() - 1);
     const float x = 30 + 205 * std::fmod(k, 6.0f), y = 30 + 340 * std::floor(k / 6.0f);
     page.items.emplace_back(view::Picture{{x, y, 200, 210}, pictures.back(), 1});
@@ -257,7 +257,8 @@ TEST_F(Gallery, VesselsThatNobodyHereMade) {
     const auto vessels = content::load_vessels(file);
     if (!vessels) continue;
     for (const content::Vessel& vessel : *vessels) {
-      const auto id = r.make_picture(vessel.mesh, vessel.color, vessel.coloring, 480, 600);
+      const auto id =
+          r.draw_picture(*r.prepare_picture(vessel.mesh, vessel.color, vessel.coloring, 480, 600));
       const float x = 10 + 126 * static_cast<float>(k % 8),
                   y = 10 + 235 * static_cast<float>(k / 8);
       page.items.emplace_back(view::Picture{{x, y, 120, 150}, id, 1});

@@ -16,7 +16,8 @@ class APortrait : public StudioTest {
   static view::Image drawn(const TriangleMesh& mesh, std::array<float, 3> color,
                            const content::Coloring& coloring, int width, int height,
                            const std::string& name) {
-    const auto id = renderer().make_picture(mesh, color, coloring, width, height);
+    const auto id =
+        renderer().draw_picture(*renderer().prepare_picture(mesh, color, coloring, width, height));
     view::Frame frame;
     frame.width = width;
     frame.height = height;
