@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "kiosk/visit/decorating/example.h"
 #include "kiosk/visit/decorating/touch_queue.h"
@@ -56,9 +57,11 @@ class Decorate final : public Screen {
     // The pot turns under a resting finger, and on while the ring that it began is closed.
     const bool closes = pot_->busy() && pot_->held().hand == WayTool::ring && !touches_->waits();
     const bool turns = pot_->turns() || closes;
+    turned_by_ = 0.0;
     if (turns && !desk.still())
-      turned_ += (desk.screen().left_handed ? -dt : dt) * kRoundTurn / kRingTime;
-    if (finger_ && turns) follow();
+      turned_by_ = (desk.screen().left_handed ? -dt : dt) * kRoundTurn / kRingTime;
+    turned_ += turned_by_;
+    if (finger_ && turns) follow_round();
     example_.step(dt, seen().front(), *pot_);
     touches_->update(dt, example_.hurries());
     look_at_state();
@@ -167,6 +170,7 @@ class Decorate final : public Screen {
     }
     if (!finger_) return;
     finger_ = {e.x, e.y};
+    if (e.kind == Kind::pointer_move && pot_->turns()) return been_.push_back(*finger_);
     if (e.kind == Kind::pointer_up) return let_go_of_pot();
     follow();
   }
@@ -200,15 +204,27 @@ class Decorate final : public Screen {
     desk.go(next_screen());
   }
 
-  std::optional<Place> touched() const {
+  std::optional<Place> touched(double turned_on = 0.0) const {
     if (!camera_ || !finger_) return std::nullopt;
-    return decorating::place_under(*camera_, pot_->surface(), angle_, finger_->first,
+    return decorating::place_under(*camera_, pot_->surface(), angle_ + turned_on, finger_->first,
                                    finger_->second);
   }
   void follow() {
     if (const auto at = touched()) touches_->move(*at);
   }
+  /// The pot turned while the finger went from place to place. A frame may be slow: with one angle
+  /// for all places a ring would be a staircase. They are taken as evenly apart in time.
+  void follow_round() {
+    if (been_.empty()) been_.push_back(*finger_);
+    for (std::size_t n = 0; n < been_.size(); ++n) {
+      finger_ = been_[n];
+      const double passed = static_cast<double>(n + 1) / static_cast<double>(been_.size());
+      if (const auto at = touched(passed * turned_by_)) touches_->move(*at);
+    }
+    been_.clear();
+  }
   void let_go_of_pot() {
+    if (finger_ && !been_.empty()) follow_round();
     if (finger_) touches_->lift();
     finger_.reset();
   }
@@ -217,6 +233,7 @@ class Decorate final : public Screen {
     turning_ = false;
     if (finger_ && desk.now - pressed_at_ < kJoined) {
       touches_->cancel();
+      been_.clear();
       finger_.reset();
     }
     let_go_of_pot();
@@ -262,9 +279,11 @@ class Decorate final : public Screen {
   double since_, used_ = 0, pressed_at_ = 0;
   WayTool::State state_ = WayTool::soft;
   double told_at_ = -10;
-  double turned_ = 0, angle_ = 0, mark_ = 0;
+  double turned_ = 0, turned_by_ = 0;  ///< By rings, and in the last frame, rad.
+  double angle_ = 0, mark_ = 0;
   bool marks_ = false, turning_ = false;
   std::optional<std::pair<float, float>> finger_;  ///< That leads the tool, pixels.
+  std::vector<std::pair<float, float>> been_;      ///< Where it has been since the last frame.
   std::optional<view::Camera> camera_;             ///< Of the last frame.
 };
 

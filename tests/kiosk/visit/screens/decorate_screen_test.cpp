@@ -139,6 +139,43 @@ TEST(DecorateScreen, ThePotTurnsUnderARestingFingerAndTheBandCloses) {
   EXPECT_EQ(painted, surface::kSectors);
 }
 
+/// Cells that the stone has been on, when the finger has gone up 150 pixels in a second.
+std::vector<bool> burnished(int frames_a_second) {
+  Decorator v("burnished");
+  v.touch("result.keep");
+  EXPECT_EQ(v.way->tools[1].id, "burnish");
+  const auto [x, y] = v.middle();
+  v.down(x, y);
+  v.up(x, y);
+  v.frames(5);
+  v.touch("decorate.tool.1");
+  v.down(x, y);
+  constexpr int kMoves = 30;
+  const int moves_a_frame = kMoves / frames_a_second;
+  for (int n = 1; n <= kMoves; ++n) {
+    v.move(x, y - 5.0f * static_cast<float>(n));
+    if (n % moves_a_frame == 0) v.frame_after(1.0 / frames_a_second);
+  }
+  const auto& surface = v.pot()->surface();
+  std::vector<bool> out;
+  for (int j = 0; j < surface.rows(); ++j)
+    for (int i = 0; i < surface::kSectors; ++i) out.push_back(surface.burnish(j, i) > 0);
+  return out;
+}
+
+// A ring that follows the finger was a staircase on a machine that draws five frames a second.
+TEST(DecorateScreen, ARingThatFollowsTheFingerIsAsSmoothOnASlowMachine) {
+  const std::vector<bool> fast = burnished(30), slow = burnished(5);
+  ASSERT_EQ(fast.size(), slow.size());
+  int shining = 0, unlike = 0;
+  for (std::size_t n = 0; n < fast.size(); ++n) {
+    shining += fast[n];
+    unlike += fast[n] != slow[n];
+  }
+  EXPECT_GT(shining, 10'000);
+  EXPECT_LT(unlike, shining / 50);
+}
+
 TEST(DecorateScreen, UndoHasOnePlaceAndTakesTheLastTouchBack) {
   Decorator v;
   v.touch("result.keep");

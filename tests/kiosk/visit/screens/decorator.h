@@ -54,6 +54,11 @@ struct Decorator : Visitor {
              line->colors.front().a < 1;
     return n;
   }
+  /// The next frame, so much later, s.
+  void frame_after(double seconds) {
+    visit->update(now += seconds);
+    frame = visit->frame(width, height);
+  }
   void stroke(float dx, float dy) {
     const auto [x, y] = middle();
     down(x, y);
