@@ -3,15 +3,15 @@
 namespace onggi::exhibit {
 namespace {
 
-constexpr int kWidth = 480, kHeight = 600;
+constexpr int kCardWidth = 480, kCardHeight = 600;
 
 }  // namespace
 
 view::PictureId CardPicture::next(render::Renderer& renderer, const content::Vessel& vessel) {
   if (!prepared_ || of_ != &vessel) {
     of_ = &vessel;
-    prepared_ =
-        renderer.prepare_picture(vessel.mesh, vessel.color, vessel.coloring, kWidth, kHeight);
+    prepared_ = renderer.prepare_picture(vessel.mesh, vessel.color, vessel.coloring, kCardWidth,
+                                         kCardHeight);
     return 0;
   }
   const view::PictureId drawn = renderer.draw_picture(*prepared_);
