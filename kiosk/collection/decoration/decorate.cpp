@@ -7,6 +7,7 @@
 
 #include "engine/surface/laws.h"
 #include "kiosk/collection/decoration/figure.h"
+#include "kiosk/collection/decoration/way.h"
 
 namespace onggi::decoration {
 
@@ -32,8 +33,12 @@ class Hand {
         return {{brush(step), ring(along(step, step.at)), false}};
       case Step::smoke:
         return {{smoke(step), {}, false}};
+      case Step::coil:
+        return {{coil(step), ring(along(step, step.at)), false}};
+      case Step::stamp:
+        return {stamped(step)};
       case Step::burnish:
-        return polish(step);
+        return step.zone ? polish(step) : figures(step);
       default:
         return figures(step);
     }
@@ -62,7 +67,8 @@ class Hand {
     def.pigment = step.pigment;
     def.width = std::min(wide(step.width), 0.04);
     def.thickness = step.thickness;
-    def.reach = kEndlessWay;
+    def.fill = step.fill;
+    def.reach = step.load > 0.0 ? std::clamp(step.load * scale_, 0.01, kEndlessWay) : kEndlessWay;
     def.drags = 0.0;  // each step has dried before the next one
     return def;
   }
@@ -72,7 +78,24 @@ class Hand {
     def.from = along(step, step.from);
     def.soft = std::clamp(step.soft * scale_, 0.001, 0.05);
     def.wander = std::clamp(step.wander * scale_, 0.0, 0.05);
+    def.seed = step.seed;
     return def;
+  }
+
+  CoilDef coil(const Step& step) const {
+    CoilDef def;
+    def.marks = step.marks;
+    def.width = std::clamp(step.width * scale_, 0.002, 0.015);
+    def.height = std::min(step.height * scale_, 0.003);
+    return def;
+  }
+
+  Stroke stamped(const Step& step) const {
+    StampDef def;
+    def.side = kStampSide;
+    def.depth = std::clamp(step.depth * scale_, kShallowestCut, 0.001);
+    return stamp_stroke(def, step.motif, std::clamp(step.size * scale_, 0.001, 0.03),
+                        along(step, step.at), step.turn, step.inside);
   }
 
   /// The stone goes round and round, up the zone.
@@ -103,11 +126,23 @@ class Hand {
         def.width = std::clamp(step.width * scale_, 0.001, 0.03);
         return def;
       }
+      case Step::scrape: {
+        ScrapeDef def;
+        def.width = std::clamp(step.width * scale_, 0.001, 0.04);
+        return def;
+      }
+      case Step::burnish: {
+        BurnishDef def;
+        def.width = std::clamp(step.width * scale_, 0.001, 0.02);
+        return def;
+      }
       case Step::cut: {
         CutDef def;
-        def.section = step.sunk ? CutDef::sunk : CutDef::v;
+        def.section = step.section;
         def.width = std::min(wide(step.width), 0.01);
-        def.depth = std::max(step.depth * scale_, kShallowestCut);
+        def.depth = std::clamp(step.depth * scale_, kShallowestCut, 0.003);
+        def.teeth = step.teeth;
+        def.spacing = std::clamp(step.spacing * scale_, 5e-4, 0.006);
         def.burr = 0.0;  // brushed off
         return def;
       }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kiosk/collection/settings/color_in.h"
+#include "kiosk/collection/settings/list_file.h"
 
 namespace onggi::decoration {
 
@@ -15,18 +16,9 @@ namespace {
 
 using Table = toml::TomlReader::Table;
 
-constexpr std::size_t kMostSteps = 200;
-constexpr std::array<std::pair<std::string_view, Step::Kind>, 8> kKinds{
-    {{"coat", Step::coat},
-     {"band", Step::band},
-     {"paint", Step::paint},
-     {"cut", Step::cut},
-     {"wipe", Step::wipe},
-     {"resist", Step::resist},
-     {"smoke", Step::smoke},
-     {"burnish", Step::burnish}}};
 constexpr const char* kKindsInWords =
-    "\"coat\", \"band\", \"paint\", \"cut\", \"wipe\", \"resist\", \"smoke\" or \"burnish\"";
+    "\"coat\", \"band\", \"paint\", \"cut\", \"wipe\", \"resist\", \"smoke\", \"burnish\", "
+    "\"scrape\", \"stamp\" or \"coil\"";
 
 std::vector<Pigment> read_pigments(Table& root) {
   std::vector<Pigment> out;
@@ -70,13 +62,13 @@ class StepReader {
     table.require("do", std::string("Say what was done: do = ") + kKindsInWords + ".");
     std::string kind, side;
     if (!table.text("do", kind)) return step;
-    const auto found = std::ranges::find(kKinds, kind, [](const auto& one) { return one.first; });
-    if (found == kKinds.end()) {
+    const auto found = std::ranges::find(kKindNames, kind);
+    if (found == kKindNames.end()) {
       table.complain("do", "do is \"" + kind + "\", which nobody does here.",
                      std::string("Write ") + kKindsInWords + ".");
       return step;
     }
-    step.kind = found->second;
+    step.kind = static_cast<Step::Kind>(found - kKindNames.begin());
     if (table.text("side", side) && side != "outside" && side != "inside")
       table.complain("side", "side is \"" + side + "\".", "Write \"outside\" or \"inside\".");
     step.inside = side == "inside";
@@ -84,11 +76,16 @@ class StepReader {
     read_place(table, step);
     if (step.kind == Step::coat || step.kind == Step::band || step.kind == Step::paint)
       read_coat(table, step);
-    if (step.kind == Step::paint) table.require("motif", "Name a table [motif.ID] of this file.");
-    if (step.kind == Step::paint || step.kind == Step::cut || step.kind == Step::wipe ||
-        step.kind == Step::resist)
-      read_motif(table, step);
-    read_length(table, "width_mm", 1e-3, 0.2, 200.0, step.width);
+    if (step.kind == Step::paint || step.kind == Step::stamp)
+      table.require("motif", "Name a table [motif.ID] of this file.");
+    if (takes_motif(step)) read_motif(table, step);
+    if (step.kind == Step::cut) read_cut(table, step);
+    if (step.kind == Step::stamp) read_stamp(table, step);
+    if (step.kind == Step::coil) {
+      read_length(table, "height_mm", 1e-3, 0.3, 20.0, step.height);
+      table.integer("marks", step.marks, 8, 120);
+    }
+    read_length(table, "width_mm", 1e-3, 0.2, 1000.0, step.width);
     table.finish();
     return step;
   }
@@ -96,23 +93,46 @@ class StepReader {
  private:
   void read_place(Table& table, Step& step) const {
     switch (step.kind) {
-      case Step::coat:
       case Step::burnish:
-        table.number("from", step.from, 0.0, 1.0);
-        table.number("to", step.to, 0.0, 1.0);
-        if (step.from >= step.to)
-          table.complain("to", "the zone ends where it begins, or below.",
-                         "Write from less than to: shares of the outline, 0 at the foot.");
-        break;
+        step.zone = !table.has("at");
+        return step.zone ? read_zone(table, step) : read_at(table, step);
+      case Step::coat:
+        return read_zone(table, step);
       case Step::smoke:
         table.require("from", "Say from where on it is black: a share of the outline.");
         table.number("from", step.from, 0.0, 1.0);
-        read_length(table, "soft_mm", 1e-3, 1.0, 50.0, step.soft);
-        read_length(table, "wander_mm", 1e-3, 0.0, 50.0, step.wander);
-        break;
+        read_length(table, "soft_mm", 1e-3, 1.0, 1000.0, step.soft);
+        read_length(table, "wander_mm", 1e-3, 0.0, 1000.0, step.wander);
+        table.integer("seed", step.seed, 0, 1000000);
+        return;
       default:
-        table.require("at", "Say how high: a share of the outline, 0 at the foot, 1 at the lip.");
-        table.number("at", step.at, 0.0, 1.0);
+        return read_at(table, step);
+    }
+  }
+
+  static void read_zone(Table& table, Step& step) {
+    table.number("from", step.from, 0.0, 1.0);
+    table.number("to", step.to, 0.0, 1.0);
+    if (step.from >= step.to)
+      table.complain("to", "the zone ends where it begins, or below.",
+                     "Write from less than to: shares of the outline, 0 at the foot.");
+  }
+
+  static void read_at(Table& table, Step& step) {
+    table.require("at", "Say how high: a share of the outline, 0 at the foot, 1 at the lip.");
+    table.number("at", step.at, 0.0, 1.0);
+  }
+
+  /// A ring, unless it has a motif.
+  static bool takes_motif(const Step& step) {
+    switch (step.kind) {
+      case Step::coat:
+      case Step::band:
+      case Step::smoke:
+      case Step::coil:
+        return false;
+      default:
+        return !step.zone;
     }
   }
 
@@ -128,7 +148,13 @@ class StepReader {
                        "Name a table [pigment.ID] of this file, or, for a coat, \"glaze\".");
       step.pigment = glaze ? kGlaze : static_cast<int>(found - all.begin());
     }
-    read_length(table, "thickness_um", 1e-6, 10.0, 1000.0, step.thickness);
+    if (step.kind == Step::coat) {
+      read_length(table, "thickness_um", 1e-6, 10.0, 1000.0, step.thickness);
+      return;
+    }
+    read_length(table, "thickness_um", 1e-6, 2.0, 2000.0, step.thickness);
+    table.number("fill", step.fill, 0.0, 1.0);
+    if (step.kind == Step::paint) read_length(table, "load_mm", 1e-3, 10.0, 10000.0, step.load);
   }
 
   void read_motif(Table& table, Step& step) const {
@@ -143,9 +169,25 @@ class StepReader {
     read_length(table, "size_mm", 1e-3, 1.0, 1000.0, step.size);
     table.integer("repeat", step.repeat, 1, 1680);
     table.number("turn", step.turn, 0.0, 1.0);
-    if (step.kind != Step::cut) return;
-    read_length(table, "depth_mm", 1e-3, 0.05, 3.0, step.depth);
-    table.boolean("sunk", step.sunk);
+  }
+
+  static void read_cut(Table& table, Step& step) {
+    read_length(table, "depth_mm", 1e-3, 0.05, 20.0, step.depth);
+    settings::read_one_of(table, "section", "section", kSectionNames, step.section);
+    if (bool sunk = false; table.boolean("sunk", sunk) && sunk) {
+      if (table.has("section"))
+        table.complain("sunk", "the cut has a section, too.", "Remove sunk, or section.");
+      step.section = surface::CutDef::sunk;
+    }
+    table.integer("teeth", step.teeth, 1, 9);
+    read_length(table, "spacing_mm", 1e-3, 0.5, 100.0, step.spacing);
+  }
+
+  static void read_stamp(Table& table, Step& step) {
+    read_length(table, "depth_mm", 1e-3, 0.05, 20.0, step.depth);
+    if (!step.motif.lines.empty() && step.motif.fills.empty())
+      table.complain("motif", "the motif has no area, so a stamp of it presses nothing.",
+                     "Draw an area: [[motif.ID.fill]].");
   }
 
   const Decoration& decoration_;
@@ -171,7 +213,9 @@ DecorationRead check_decoration(const std::filesystem::path& toml) {
   const StepReader steps(out, motifs);
   for (Table& table : root.children("step")) out.steps.push_back(steps.read(table));
   if (out.steps.size() > kMostSteps)
-    root.complain("", "there are " + std::to_string(out.steps.size()) + " steps, but at most 200.",
+    root.complain("",
+                  "there are " + std::to_string(out.steps.size()) + " steps, but at most " +
+                      std::to_string(kMostSteps) + ".",
                   "Draw what is repeated as one motif.");
   root.child("pigment").finish();
   root.child("motif").finish();

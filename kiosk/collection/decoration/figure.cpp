@@ -66,8 +66,8 @@ FigurePlace figure_place(const Surface& surface, double along, double turns, dou
 }
 
 std::vector<Station> way_of(const Surface& surface, const std::vector<Vec2>& points,
-                            const FigurePlace& at, bool closed) {
-  Tracer tracer(surface, kEndlessWay);
+                            const FigurePlace& at, bool closed, double reach) {
+  Tracer tracer(surface, reach);
   const auto go = [&](const Vec2& p) {
     tracer.go({at.along + p.y * at.up, at.turns + p.x * at.round});
   };
@@ -90,6 +90,18 @@ std::vector<std::uint8_t> stamp_picture(const Motif& motif, int side) {
   return picture;
 }
 
+Stroke stamp_stroke(StampDef stamp, const Motif& motif, double size, double along, double turns,
+                    bool inside) {
+  stamp.picture = stamp_picture(motif, stamp.side);
+  stamp.size = size;
+  Station station;
+  station.along = static_cast<std::int32_t>(1e6 * along);
+  station.round = static_cast<std::int32_t>(turns * kTurn);
+  station.across_along = 0;
+  station.across_round = static_cast<std::int16_t>(inside ? -kUnit : kUnit);
+  return {std::move(stamp), {station}, false};
+}
+
 std::vector<Stroke> figure_strokes(const Surface& surface, const Motif& motif,
                                    const FigurePlace& at, const Tool& line,
                                    const std::optional<FillDef>& fill) {
@@ -98,6 +110,8 @@ std::vector<Stroke> figure_strokes(const Surface& surface, const Motif& motif,
     out.push_back({with, std::move(stations), !out.empty()});
   };
   const auto* carved = std::get_if<CutDef>(&line);
+  const auto* brush = std::get_if<BrushDef>(&line);
+  const double reach = brush != nullptr ? brush->reach : kEndlessWay;
   for (const auto& points : motif.fills) {
     if (fill) {
       draw(*fill, corners_of(surface, points, at));
@@ -108,7 +122,7 @@ std::vector<Stroke> figure_strokes(const Surface& surface, const Motif& motif,
     for (const auto& way : hatched(points, 0.8 * carved->width / std::abs(at.up)))
       draw(line, way_of(surface, way, at, false));
   }
-  for (const auto& points : motif.lines) draw(line, way_of(surface, points, at, false));
+  for (const auto& points : motif.lines) draw(line, way_of(surface, points, at, false, reach));
   return out;
 }
 

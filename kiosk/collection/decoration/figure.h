@@ -23,14 +23,19 @@ struct FigurePlace {
 FigurePlace figure_place(const surface::Surface& surface, double along, double turns, double size,
                          bool inside);
 
-/// Stations along a figure's line; `closed`: back to its first point. The brush never runs dry.
+/// Stations along a figure's line; `closed`: back to its first point. `reach`: of a full brush, m.
 std::vector<surface::Station> way_of(const surface::Surface& surface,
                                      const std::vector<Vec2>& points, const FigurePlace& at,
-                                     bool closed);
+                                     bool closed, double reach = kEndlessWay);
 
 /// The areas of `motif` as a stamp's picture of `side` x `side` cells, from its lower left: 255
 /// where an area is, 0 elsewhere. The stamp's side is one unit of the figure. Allocates.
 std::vector<std::uint8_t> stamp_picture(const Motif& motif, int side);
+
+/// One touch of a stamp of `motif`'s areas, `size` m high, upright as it is looked at: from within
+/// where `inside`. Allocates.
+surface::Stroke stamp_stroke(surface::StampDef stamp, const Motif& motif, double size, double along,
+                             double turns, bool inside);
 
 /// The strokes that draw `motif`: its lines by `line`, its areas by `fill`, or where there is none
 /// their outlines by `line`; a flat cut takes the whole area. Taken back together. Empty for a

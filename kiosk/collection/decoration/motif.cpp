@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace onggi::decoration {
 
 namespace {
 
 constexpr int kLinks = 8;
-constexpr std::size_t kMostPoints = 500;
 
 /// The way's direction at point n: along its neighbours, and nowhere at a corner or an end.
 Vec2 tangent(const std::vector<toml::OutlinePoint>& points, std::size_t n, bool closed) {
@@ -39,9 +39,9 @@ bool is_nothing(const std::vector<Vec2>& way, bool closed) {
   return wide < kLeast;
 }
 
-std::vector<std::vector<Vec2>> read_ways(toml::TomlReader::Table& motif, const char* name,
+std::vector<Motif::Drawn::Way> read_ways(toml::TomlReader::Table& motif, const char* name,
                                          bool closed) {
-  std::vector<std::vector<Vec2>> ways;
+  std::vector<Motif::Drawn::Way> ways;
   for (toml::TomlReader::Table& table : motif.children(name)) {
     std::vector<toml::OutlinePoint> points;
     bool round = true;
@@ -56,12 +56,12 @@ std::vector<std::vector<Vec2>> read_ways(toml::TomlReader::Table& motif, const c
                        "Give more points, or fewer.");
       } else {
         for (toml::OutlinePoint& p : points) p.corner = p.corner || !round;
-        ways.push_back(smooth(points, closed));
-        if (is_nothing(ways.back(), closed))
+        if (is_nothing(smooth(points, closed), closed))
           table.complain("points",
                          closed ? "the area has no width: its points lie on one line."
                                 : "the line has no length: its points lie on one place.",
                          "Move a point, or leave it out.");
+        ways.push_back(std::move(points));
       }
     }
     table.finish();
@@ -72,13 +72,20 @@ std::vector<std::vector<Vec2>> read_ways(toml::TomlReader::Table& motif, const c
 }  // namespace
 
 Motif read_motif(toml::TomlReader::Table& table, const std::string& id) {
-  Motif motif;
-  motif.fills = read_ways(table, "fill", true);
-  motif.lines = read_ways(table, "line", false);
+  Motif::Drawn drawn{read_ways(table, "fill", true), read_ways(table, "line", false)};
   if (!table.has("fill") && !table.has("line"))
     table.complain(
         "", "the motif \"" + id + "\" has nothing to draw.",
         "Give it an area, [[motif." + id + ".fill]], or a line, [[motif." + id + ".line]].");
+  return motif_of(id, std::move(drawn));
+}
+
+Motif motif_of(std::string id, Motif::Drawn drawn) {
+  Motif motif;
+  for (const auto& points : drawn.fills) motif.fills.push_back(smooth(points, true));
+  for (const auto& points : drawn.lines) motif.lines.push_back(smooth(points, false));
+  motif.id = std::move(id);
+  motif.drawn = std::move(drawn);
   return motif;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,23 @@ namespace onggi::decoration {
 struct Motif {
   std::vector<std::vector<Vec2>> fills;  ///< Corners of areas, each painted whole.
   std::vector<std::vector<Vec2>> lines;  ///< Ways of a brush or a cutting tool.
+
+  /// The points that a file has of them, through which they are smooth.
+  struct Drawn {
+    using Way = std::vector<toml::OutlinePoint>;
+    std::vector<Way> fills, lines;
+    friend bool operator==(const Drawn&, const Drawn&) = default;
+  };
+  std::string id = {};
+  Drawn drawn = {};
 };
+
+/// Of an area or a line of a file.
+inline constexpr std::size_t kMostPoints = 500;
+
+/// The motif that a file with these points has. Each area has 3 to kMostPoints, each line 2 to
+/// kMostPoints. Allocates.
+Motif motif_of(std::string id, Motif::Drawn drawn);
 
 /// Reads the table [motif.ID]: its areas and lines. Notes what is wrong, and leaves that out.
 Motif read_motif(toml::TomlReader::Table& table, const std::string& id);

@@ -32,6 +32,7 @@ bool first_way(const Motif& motif, Vec2& from, Vec2& to) {
 bool is_ring(const Step& step) {
   switch (step.kind) {
     case Step::band:
+    case Step::coil:
       return true;
     case Step::coat:
       return step.pigment != kGlaze && step.to - step.from < kWhole && step.from > kNoZone;
@@ -58,8 +59,8 @@ std::vector<Start> starts_of(const Decoration& decoration, double outside) {
                                           : step.at;
     start.reach = std::max(kLeastReach, 0.5 * step.width / outside);
     if (!start.ring) {
-      const bool figure =
-          step.kind == Step::paint || step.kind == Step::cut || step.kind == Step::wipe;
+      const bool figure = step.kind == Step::paint || step.kind == Step::cut ||
+                          step.kind == Step::wipe || step.kind == Step::stamp;
       if (!figure || step.repeat < kLeastRepeats) continue;
       const double unit = step.size / outside;
       start.reach = std::max(kLeastReach, 0.5 * unit);

@@ -124,14 +124,17 @@ void DecoratedPot::apply(surface::Stroke stroke, int repeats) {
   auto all = surface::repeated(stroke, repeats);
   if (!all) return;
   const bool counted = counts_its_work(stroke.tool);
+  bool done = false;
   for (surface::Stroke& each : *all) {
     each.continues = step_begun_;
     const auto work = surface::apply(surface_, each);
     if (!work) continue;  // beyond the end of the pot
+    done = true;
     if (!step_begun_) {
       steps_.push_back({working_,
                         choices_[static_cast<std::size_t>(working_)].pigment,
                         last_.value_or(began_at_).along,
+                        {},
                         {}});
       changed_ = false;
     }
@@ -140,6 +143,25 @@ void DecoratedPot::apply(surface::Stroke stroke, int repeats) {
     steps_.back().parts.push_back(touched_part(surface_, each));
     touch({steps_.back().parts.back()});
   }
+  if (keeps_work_ && done) note(stroke, repeats);
+}
+
+void DecoratedPot::note(const surface::Stroke& stroke, int repeats) {
+  HandWork& work = steps_.back().work;
+  const WayTool::Hand hand = tool_at(working_).hand;
+  if (work.ways.empty()) {
+    work.tool = working_;
+    work.law = stroke.tool;
+    work.repeats = repeats;
+  }
+  if (stroke.stations.empty() || hand == WayTool::figure) return;
+  const auto same = [](const Station& a, const Station& b) {
+    return a.along == b.along && a.round == b.round;
+  };
+  const bool goes_on = !work.ways.empty() && same(work.ways.back().back(), stroke.stations.front());
+  if (!goes_on) work.ways.emplace_back();
+  auto& way = work.ways.back();
+  way.insert(way.end(), stroke.stations.begin() + (goes_on ? 1 : 0), stroke.stations.end());
 }
 
 void DecoratedPot::end_step() {
@@ -303,10 +325,14 @@ double DecoratedPot::way_of_load() const {
 
 void DecoratedPot::set_figure(const Place& at) {
   const int figure = held().motifs[static_cast<std::size_t>(choice().figure)];
-  for (surface::Stroke& stroke :
-       figure_on_pot(surface_, held(), law(), way_.figures[static_cast<std::size_t>(figure)].motif,
-                     zones_, outside(), repeats(), at))
-    apply(std::move(stroke), repeats());
+  FigureOnPot set =
+      figure_on_pot(surface_, held(), law(), way_.figures[static_cast<std::size_t>(figure)].motif,
+                    zones_, outside(), repeats(), at);
+  for (surface::Stroke& stroke : set.strokes) apply(std::move(stroke), repeats());
+  if (!keeps_work_ || !step_begun_) return;
+  HandWork& work = steps_.back().work;
+  work.law = law();
+  work.figure = HandWork::Figure{figure, set.along, at.turns, set.size, set.inside};
 }
 
 void DecoratedPot::cover_all() {
@@ -434,6 +460,12 @@ void DecoratedPot::take_back() {
   touch(steps_.back().parts);
   steps_.pop_back();
   step_begun_ = false;
+}
+
+std::vector<HandWork> DecoratedPot::work() const {
+  std::vector<HandWork> out;
+  for (const Step& step : own_steps()) out.push_back(step.work);
+  return out;
 }
 
 WayTool::State DecoratedPot::state() const {

@@ -11,6 +11,7 @@
 #include "kiosk/collection/decoration/coat_picture.h"
 #include "kiosk/collection/decoration/way.h"
 #include "kiosk/visit/decorating/firing.h"
+#include "kiosk/visit/decorating/hand_work.h"
 #include "kiosk/visit/decorating/touched_part.h"
 #include "kiosk/visit/decorating/touched_place.h"
 #include "kiosk/visit/decorating/zones.h"
@@ -104,6 +105,12 @@ class DecoratedPot {
   /// True once the last update() left nothing to do: no work, no melt, no part of the picture.
   bool settled() const;
 
+  /// From now on it notes each touch for work(), some kB each. Call it on a bare pot.
+  void keep_work() { keeps_work_ = true; }
+  bool keeps_work() const { return keeps_work_; }
+  /// What was done since, a touch each, without what was taken back and what an example did.
+  std::vector<HandWork> work() const;
+
   /// What was done, a tool each in the order of its first use.
   struct Did {
     int tool = 0, times = 0;
@@ -118,6 +125,7 @@ class DecoratedPot {
     int tool = 0, pigment = 0;
     double from = 0.0;        ///< Of what covers all from a height on: that height, m.
     std::vector<Part> parts;  ///< The cells that it changed.
+    HandWork work = {};       ///< Where keeps_work().
   };
   /// A pot before an example.
   struct Saved {
@@ -138,6 +146,7 @@ class DecoratedPot {
   void end_step();
   /// True if the held tool laid this coat at `along` just before.
   bool just_coated(double along) const;
+  void note(const surface::Stroke& stroke, int repeats);
   void touch(const std::vector<Part>& parts);
   void tell_age(surface::Stroke& stroke);
   void take_back();
@@ -165,6 +174,7 @@ class DecoratedPot {
   int tool_ = 0;
   int working_ = 0;  ///< The tool of the last press.
   bool step_begun_ = false;
+  bool keeps_work_ = false;
   bool changed_ = false;     ///< Something, by the step that was begun.
   std::vector<Step> steps_;  ///< As many as the surface can take back, and those before.
   std::deque<surface::Stroke> waiting_;  ///< Each for its frame,

@@ -29,26 +29,11 @@ Extent extent_of(const decoration::Motif& motif) {
   return extent;
 }
 
-/// A stamp stands upright as it is looked at.
-surface::Stroke stamped(surface::StampDef stamp, const decoration::Motif& motif, double size,
-                        const Place& at, bool inside) {
-  stamp.picture = decoration::stamp_picture(motif, stamp.side);
-  stamp.size = size;
-  surface::Station station;
-  station.along = static_cast<std::int32_t>(1e6 * at.along);
-  station.round = static_cast<std::int32_t>(at.turns * surface::kTurn);
-  station.across_along = 0;
-  station.across_round = static_cast<std::int16_t>(inside ? -surface::kUnit : surface::kUnit);
-  return {std::move(stamp), {station}, false};
-}
-
 }  // namespace
 
-std::vector<surface::Stroke> figure_on_pot(const surface::Surface& surface,
-                                           const decoration::WayTool& tool,
-                                           const surface::Tool& law, const decoration::Motif& motif,
-                                           const Zones& zones, double outside, int repeats,
-                                           const Place& at) {
+FigureOnPot figure_on_pot(const surface::Surface& surface, const decoration::WayTool& tool,
+                          const surface::Tool& law, const decoration::Motif& motif,
+                          const Zones& zones, double outside, int repeats, const Place& at) {
   const Extent extent = extent_of(motif);
   const int row = static_cast<int>(at.along * 1e6) / surface::kRowHeight;
   const double room =
@@ -58,15 +43,18 @@ std::vector<surface::Stroke> figure_on_pot(const surface::Surface& surface,
   const double along = zones.within(at.along, -size * extent.low, size * extent.high);
   const bool inside = at.along > outside;
   if (const auto* stamp = std::get_if<surface::StampDef>(&law))
-    return {stamped(*stamp, motif, size, {along, at.turns}, inside)};
+    return {{decoration::stamp_stroke(*stamp, motif, size, along, at.turns, inside)},
+            along,
+            size,
+            inside};
   std::optional<surface::FillDef> fill;
   if (const auto* brush = std::get_if<surface::BrushDef>(&law)) {
     fill.emplace();
     fill->pigment = brush->pigment;
     fill->thickness = brush->thickness;
   }
-  return decoration::figure_strokes(
-      surface, motif, decoration::figure_place(surface, along, at.turns, size, inside), law, fill);
+  const auto place = decoration::figure_place(surface, along, at.turns, size, inside);
+  return {decoration::figure_strokes(surface, motif, place, law, fill), along, size, inside};
 }
 
 }  // namespace onggi::decorating

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
 #include "engine/surface/laws.h"
 
 namespace onggi::decoration {
@@ -108,6 +112,78 @@ TEST(Decorate, AMotifStandsAsOftenAsItIsRepeated) {
   for (int i = 0; i < kSectors; ++i)
     begins += surface.slip(j, i).at(0).code > 0 && surface.slip(j, wrapped(i - 1)).at(0).code == 0;
   EXPECT_EQ(begins, 7);
+}
+
+/// The outermost and the innermost clay of a row, um over the reference body.
+std::pair<int, int> relief_of_row(const Surface& surface, int j) {
+  int high = surface.relief(j, 0), low = high;
+  for (int i = 1; i < kSectors; ++i) {
+    high = std::max(high, surface.relief(j, i));
+    low = std::min(low, surface.relief(j, i));
+  }
+  return {high, low};
+}
+
+TEST(Decorate, ABladeTakesTheSlipInItsRingAway) {
+  Decoration decoration = of({});
+  Step blade;
+  blade.kind = Step::scrape, blade.width = 0.015;
+  decoration.steps.push_back(blade);
+  const Surface surface = done(decoration);
+  const int middle = lip_of(surface) / 2 / kRowHeight;
+  EXPECT_EQ(coated(surface, middle), 0);
+  EXPECT_EQ(coated(surface, middle + 18), 0);  // 4.5 mm of the 5 to each side, on the wheel
+  EXPECT_EQ(coated(surface, middle + 24), kSectors);
+}
+
+TEST(Decorate, AStampPressesTheAreaOfItsMotif) {
+  Step stamp;
+  stamp.kind = Step::stamp, stamp.motif = flag(), stamp.size = 0.03, stamp.depth = 0.0009;
+  stamp.repeat = 5;
+  const Surface surface = done(of(stamp));
+  const int middle = lip_of(surface) / 2 / kRowHeight;
+  EXPECT_NEAR(relief_of_row(surface, middle + 20).second, -600, 40);
+  EXPECT_EQ(relief_of_row(surface, middle - 20).second, 0);
+  int pressed = 0;
+  for (int i = 0; i < kSectors; ++i)
+    pressed += surface.relief(middle + 20, i) < -300 &&
+               surface.relief(middle + 20, wrapped(i - 1)) >= -300;
+  EXPECT_EQ(pressed, 5);
+}
+
+TEST(Decorate, ACoilStandsAtItsHeight) {
+  Step coil;
+  coil.kind = Step::coil, coil.width = 0.009, coil.height = 0.003;
+  const Surface surface = done(of(coil));
+  const int middle = lip_of(surface) / 2 / kRowHeight;
+  EXPECT_NEAR(relief_of_row(surface, middle).first, 2000, 100);
+  EXPECT_EQ(relief_of_row(surface, middle + 20).first, 0);
+}
+
+TEST(Decorate, AStoneRubsARingWhereItHasAHeightAndElseItsZone) {
+  Step stone;
+  stone.kind = Step::burnish, stone.width = 0.009;
+  const Surface ring = done(of(stone));
+  const int middle = lip_of(ring) / 2 / kRowHeight;
+  EXPECT_GT(ring.burnish(middle, 0), 0);
+  EXPECT_EQ(ring.burnish(middle + 20, 0), 0);
+  stone.zone = true;
+  EXPECT_GT(done(of(stone)).burnish(middle + 20, 0), 0);
+}
+
+TEST(Decorate, ABrushWithALoadRunsDry) {
+  Step line;
+  line.kind = Step::paint, line.width = 0.006, line.thickness = 2e-4, line.size = 0.3;
+  line.motif.lines = {{{-0.5, 0.0}, {0.5, 0.0}}};
+  const auto slip = [](const Surface& surface) {
+    std::int64_t all = 0;
+    for (int j = 0; j < surface.rows(); ++j)
+      for (int i = 0; i < kSectors; ++i) all += surface.slip(j, i).thickness();
+    return static_cast<double>(all);
+  };
+  const double full = slip(done(of(line)));
+  line.load = 0.15;
+  EXPECT_LT(slip(done(of(line))), 0.7 * full);
 }
 
 TEST(Decorate, AStepThatCannotBeDoneIsNamed) {

@@ -62,6 +62,14 @@ TEST(DecorationFile, EachFaultHasItsLineAndARemedy) {
   EXPECT_EQ(fault("[[step]]\ndo = \"coat\"\nwith = \"blue\"\nfrom = 0.6\nto = 0.6\n"),
             "the zone ends where it begins, or below.");
   EXPECT_NE(fault("[[step]]\ndo = \"smoke\"\nfrom = 1.5\n"), "");
+  EXPECT_EQ(fault("[[motif.dash.line]]\npoints = [[0, 0], [1, 0]]\n"
+                  "[[step]]\ndo = \"stamp\"\nat = 0.5\nmotif = \"dash\"\n"),
+            "the motif has no area, so a stamp of it presses nothing.");
+  EXPECT_EQ(fault("[[step]]\ndo = \"cut\"\nat = 0.5\nsunk = true\nsection = \"u\"\n"),
+            "the cut has a section, too.");
+  EXPECT_NE(fault("[[step]]\ndo = \"scrape\"\n"), "");
+  EXPECT_NE(fault("[[step]]\ndo = \"burnish\"\nfrom = 0.1\nmotif = \"diamond\"\n"), "");
+  EXPECT_NE(fault("[[step]]\ndo = \"coil\"\nat = 0.5\nmarks = 3\n"), "");
   EXPECT_NE(fault("[[step]]\ndo = \"coat\"\nwith = \"blue\"\nfrmo = 0.2\n"), "");
   EXPECT_EQ(fault("[motif.dot]\n"), "the motif \"dot\" has nothing to draw.");
   EXPECT_EQ(fault("[[motif.dot.fill]]\npoints = [[0, 0], [1, 1]]\n"),
