@@ -17,24 +17,24 @@ constexpr double kMillimetre = 1e-3, kMicrometre = 1e-6;  // m
 constexpr double kPartsOfUnit = 1e4, kPartsOfShare = 1e6;
 constexpr std::size_t kLineEnds = 110;  // letters
 
-/// The shortest text that is read as `value`.
+/// The shortest text without an exponent that is read as `value`, a finite number that a file has.
 std::string number(double value) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value);
+  char text[400];
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
   return {text, end.ptr};
 }
 
 /// The shortest text that is read as `value` m in units of `unit`.
 std::string length_in(double value, double unit) {
-  char text[40];
-  std::to_chars_result end{};
+  double read = 0.0;
   for (int digits = 1; digits <= 17; ++digits) {
-    end = std::to_chars(text, text + sizeof text, value / unit, std::chars_format::general, digits);
-    double read = 0.0;
+    char text[40];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value / unit, std::chars_format::general, digits);
     std::from_chars(text, end.ptr, read);
     if (unit * read == value) break;
   }
-  return {text, end.ptr};
+  return number(read);
 }
 
 std::string quoted_text(std::string_view text) {

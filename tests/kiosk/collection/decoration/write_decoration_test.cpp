@@ -53,6 +53,19 @@ TEST(WriteDecoration, EveryVesselsFileIsReadBackToTheBit) {
   EXPECT_GE(files, 10);
 }
 
+TEST(WriteDecoration, NumbersAreWrittenAsPeopleWriteThem) {
+  Decoration coated;
+  coated.sources = "A book", coated.simplified = "Nothing";
+  coated.pigments = {{"white", {1.0f, 1.0f, 1.0f}, kept_length(8e-5, 1e-6)}};
+  Step coat;
+  coat.kind = Step::coat;
+  coat.from = kept_share(2e-5), coat.thickness = kept_length(2e-4, 1e-6);
+  coated.steps = {coat};
+  const std::string text = to_toml(coated);
+  for (const char* line : {"hides_um = 80\n", "thickness_um = 200\n", "from = 0.00002\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+}
+
 TEST(WriteDecoration, EveryKindOfStepKeepsWhatItHas) {
   Decoration all;
   all.sources = "line\n\"quote\" \\ \x01", all.simplified = "한국어";
