@@ -187,6 +187,7 @@ void foot(Column& column, const Desk& desk, const DecoratedPot& pot, bool shows)
   const bool can_undo = pot.can_undo();
   std::vector<Button> on{{"decorate.on",
                           desk.say(bare                ? "decorate.skip"
+                                   : desk.curated      ? "decorate.save"
                                    : desk.wheel().kiln ? "decorate.fire"
                                                        : "result.keep"),
                           bare ? Look::outline : Look::solid, desk.say("decorate.skip")}};

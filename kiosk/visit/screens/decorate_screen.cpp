@@ -93,8 +93,9 @@ class Decorate final : public Screen {
     const bool keyed = page.focused(kMark);
     table_.keyed(keyed);
     // The tool's own words come first.
-    lay_out_decorating(page, desk, *pot_, example_.shows(),
-                       !pot_->bare() && desk.now > std::max(since_ + kGoodWhile, used_ + kRead));
+    lay_out_decorating(
+        page, desk, *pot_, example_.shows(),
+        !pot_->bare() && !desk.curated && desk.now > std::max(since_ + kGoodWhile, used_ + kRead));
     bool begins = false;
     if (const ShelfCard* card = desk.shelf_card(desk.card);
         card != nullptr && card->vessel != nullptr && !example_.shows())
@@ -200,7 +201,7 @@ class Decorate final : public Screen {
   void go_on() {
     touches_->settle();
     pot_->finish();
-    if (!desk.wheel().kiln) desk.keep_pot();
+    if (!desk.wheel().kiln && !desk.curated) desk.keep_pot();
     desk.go(next_screen());
   }
 

@@ -144,6 +144,7 @@ decorating::DecoratedPot* Desk::pot_to_decorate() {
   if (!decorated && wheel().way != nullptr) {
     auto begun = decorating::DecoratedPot::begin(made, *wheel().way);
     if (begun) decorated = std::move(*begun);
+    if (decorated && curated) decorated->keep_work();
     clay_decorated_ = world.wheel->clay.change();
   }
   return decorated.get();

@@ -38,6 +38,9 @@ class Desk {
   NoteTaker notes;                                 ///< Takes the countable notes of the visit.
   VisitNotes::End leaves = VisitNotes::End::back;  ///< How the visit ends, if it ends now.
 
+  bool curated = false;         ///< A curator decorates a vessel: there is no other screen.
+  bool curated_to_end = false;  ///< They have left it.
+
   /// About the visitor.
   std::size_t language = 0;
   int card = -1;                          ///< An index on the shelf, or own_card().

@@ -65,7 +65,9 @@ void Visit::update(double now) {
   s.screen->update(dt);
   const bool taken_now = status.hands_taken;
   const ScreenId id = s.screen->id();
-  if (id == ScreenId::attract) {
+  if (s.desk.curated) {
+    s.idle.touched(now);
+  } else if (id == ScreenId::attract) {
     s.idle.touched(now);
     // Taking a device begins a visit. Still leaning on one from the last visit does not.
     if (status.hands_taken && !s.hands_taken) s.desk.go(ScreenId::choose);
@@ -163,6 +165,20 @@ void Visit::fail(const Problem&) {
   state_->desk.go(ScreenId::fault);
   state_->apply_pending_screen();
 }
+
+void Visit::decorate(int card, const Profile& pot, double now) {
+  Desk& desk = state_->desk;
+  desk.now = now;
+  desk.requests.clear();  // attract's
+  desk.card = card;
+  desk.made = pot;
+  desk.curated = true;
+  if (desk.pot_to_decorate() == nullptr) return;
+  desk.go(ScreenId::decorate);
+  state_->apply_pending_screen();
+}
+
+bool Visit::has_decorated() const { return state_->desk.curated_to_end; }
 
 void Visit::close(double now) {
   if (state_->screen->id() == ScreenId::attract) return;

@@ -164,6 +164,13 @@ class Visit {
   void keepsake_failed(const Problem& why);
   /// Shows the fault screen and logs `why` for staff. A touch goes back to attract.
   void fail(const Problem& why);
+  /// For a curator, before the first update(): nothing but the screen Decorate, with `pot` (m, foot
+  /// at 0), the outline of `card`'s vessel. Nobody's absence ends it, and decorated_pot() keeps its
+  /// work. It does not begin where the vessel has no way, or `pot` is no outline:
+  /// decorated_pot() is then null.
+  void decorate(int card, const Profile& pot, double now);
+  /// True once the curator has pressed the button onward, or gone back.
+  bool has_decorated() const;
   /// The program ends: ends the visit, which sends VisitEnded as usual.
   void close(double now);
 

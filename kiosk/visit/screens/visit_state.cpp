@@ -34,6 +34,10 @@ void Visit::State::apply_pending_screen() {
   const ScreenId to = *desk.next;
   desk.next.reset();
   screen->let_go();
+  if (desk.curated && to != ScreenId::decorate) {
+    desk.curated_to_end = true;
+    return;
+  }
   over = Over::nothing;
   if (to == ScreenId::attract)
     desk.forget();
