@@ -5,9 +5,9 @@ namespace onggi::commands {
 cli::Command vessel_command() {
   return {
       .name = "vessel",
-      .help = "Make a vessel from a drawing, measure one, or put a scan on the shelf",
+      .help = "Make a vessel from a drawing, decorate or measure one, or put a scan on the shelf",
       .examples = "Example: onggi vessel make content/vessels/moon_jar/profile.toml -o vessel.glb",
-      .commands = {make_command(), inspect_command(), import_command()}};
+      .commands = {make_command(), decorate_command(), inspect_command(), import_command()}};
 }
 
 }  // namespace onggi::commands

@@ -15,8 +15,8 @@ namespace {
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
   for (const char* command :
        {"", "run", "visit", "replay", "check", "vessel", "vessel make", "vessel inspect",
-        "vessel import", "score", "soak", "lab", "lab effects", "lab stability", "lab timing",
-        "lab witness", "devices", "poster"}) {
+        "vessel decorate", "vessel import", "score", "soak", "lab", "lab effects", "lab stability",
+        "lab timing", "lab witness", "devices", "poster"}) {
     const Outcome run = onggi(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_NE(run.out.find("Example: onggi"), std::string::npos) << command;
