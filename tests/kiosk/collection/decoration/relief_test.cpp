@@ -105,6 +105,26 @@ TEST(Relief, AVCutIsSeenWithBothItsWallsWhereTheToolWent) {
   EXPECT_NEAR(height_at(surface, 0.3, 30.0 / 0.25 / surface.rows()), -1e-3, 1.2e-4);
 }
 
+// Rounding to whole steps of a slip glittered under a viewer's gloss.
+TEST(Relief, AnEvenCoatOfSlipIsSmooth) {
+  surface::Surface surface = cup();
+  surface::BrushDef brush;
+  brush.width = 0.03, brush.tracks = 1;
+  surface::Stroke ring{brush, {}, false};
+  for (int n = 0; n <= 4 * 140; ++n) {
+    surface::Station at;
+    at.along = 30000, at.round = n * 3 * surface::kParts;
+    ring.stations.push_back(at);
+  }
+  for (int n = 0; n < 3; ++n) ASSERT_TRUE(surface::apply(surface, ring));
+  const Unrolled picture = normals_of(surface, surface::kSectors, surface.rows(), 1.0);
+  double tilted = 0.0, cells = 0.0;
+  for (int y = 100; y < 140; ++y)
+    for (int x = 200; x < 1400; ++x, ++cells)
+      tilted += std::acos(std::min(1.0, normal_at(picture, x, y).z));
+  EXPECT_LT(tilted / cells, 0.05);
+}
+
 TEST(Relief, ASmallPotHasPixelsWithinACell) {
   const surface::Surface surface = ramped(true);
   const Unrolled picture = normals_of(surface, 2 * surface::kSectors, 3 * surface.rows(), 1.0);
