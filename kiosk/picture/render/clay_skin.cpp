@@ -60,6 +60,7 @@ void ClaySkin::set(const Program& program, const view::PotView& pot, int texture
   if (skin == kWet) {
     rows_.bind(texture_unit);
     program.set("wet_rows", texture_unit);
+    program.set("wet_clay", pot.slip_wet ? 0.0f : 1.0f);
   }
   if (skin == kGlazed || skin == kFiring) set_glaze(program, "glaze", pot.glazing);
   if (skin != kFiring) return;

@@ -142,6 +142,7 @@ void DecoratedPot::apply(surface::Stroke stroke, int repeats) {
     changed_ = changed_ || !counted || *work != surface::Work{};
     steps_.back().parts.push_back(touched_part(surface_, each));
     touch({steps_.back().parts.back()});
+    if (WetSlip::lays(each.tool)) wet_.lay(surface_, steps_.back().parts.back());
   }
   if (keeps_work_ && done) note(stroke, repeats);
 }
@@ -180,14 +181,10 @@ bool DecoratedPot::just_coated(double along) const {
 
 /// Slip that an earlier step laid is wet for a while, and a brush takes some of it along.
 void DecoratedPot::tell_age(surface::Stroke& stroke) {
-  const auto* dip = std::get_if<surface::DipDef>(&stroke.tool);
-  const bool brushed = std::holds_alternative<surface::BrushDef>(stroke.tool);
-  const bool lays = brushed || std::holds_alternative<surface::FillDef>(stroke.tool) ||
-                    (dip != nullptr && dip->coat != surface::DipDef::kGlaze);
-  if (!lays) return;
+  if (!WetSlip::lays(stroke.tool)) return;
   if (!step_begun_) under_ = laid_;
   laid_ = clock_;
-  if (!brushed) return;
+  if (!std::holds_alternative<surface::BrushDef>(stroke.tool)) return;
   const double age = std::min(clock_ - under_, 3600.0);
   for (Station& at : stroke.stations) at.age = static_cast<std::uint32_t>(1e3 * age);
 }
@@ -366,6 +363,7 @@ void DecoratedPot::put(const Place& at) {
 
 void DecoratedPot::update(double dt, bool hurry) {
   clock_ += dt;
+  wet_.dry(dt);
   if (busy()) {
     due_ += dt * kPiecesASecond * (hurry ? kHurry : 1.0);
     for (; due_ >= 1.0 && busy(); due_ -= 1.0) {

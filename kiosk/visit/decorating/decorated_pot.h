@@ -14,6 +14,7 @@
 #include "kiosk/visit/decorating/hand_work.h"
 #include "kiosk/visit/decorating/touched_part.h"
 #include "kiosk/visit/decorating/touched_place.h"
+#include "kiosk/visit/decorating/wet_slip.h"
 #include "kiosk/visit/decorating/zones.h"
 
 namespace onggi::decorating {
@@ -41,6 +42,9 @@ class DecoratedPot {
   /// How far the clay has come by what was done to it: soft clay becomes leather-hard, dries, is
   /// fired once, is glazed. An example brings it no further.
   decoration::WayTool::State state() const;
+
+  /// How slip that was just laid glistens: WetSlip::by_height().
+  const std::vector<float>& wetness() const { return wet_.by_height(); }
 
   // What the visitor has chosen.
   int tool() const { return tool_; }
@@ -187,7 +191,8 @@ class DecoratedPot {
   double gone_ = 0.0, speed_ = 0.0;    ///< Of the tool since the last update, m; before it, m/s.
   double clock_ = 0.0;                 ///< Of update(), s.
   double laid_ = -1e4, under_ = -1e4;  ///< When slip was laid last, and before this step.
-  bool open_ = false;                  ///< Wider than high: visitors look into it.
+  WetSlip wet_;
+  bool open_ = false;  ///< Wider than high: visitors look into it.
   Firing firing_;
   bool drawn_ = false;          ///< All of the picture, by the last update.
   std::optional<Saved> saved_;  ///< While an example is shown.

@@ -71,7 +71,8 @@ class Decorate final : public Screen {
     view::PotView pot = picture_.view(desk, page);
     pot.hands = {};
     pot.wetness = 0;
-    pot.wetness_by_row.clear();
+    pot.slip_wet = true;
+    pot.wetness_by_row = pot_ != nullptr ? pot_->wetness() : std::vector<float>{};
     const double turned = turned_ + table_.angle();
     pot.clay_angle += turned;
     pot.wheel_angle += turned;

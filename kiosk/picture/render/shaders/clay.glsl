@@ -23,8 +23,10 @@ uniform float ink;       // width of the line round the section, m
 uniform vec3 dry_color, wet_color;
 #if SKIN == 1
 uniform sampler2D wet_rows;  // by share of the height
+uniform float wet_clay;      // 0: of the slip alone
 float wet_at(float t) { return between(wet_rows, t, 0.5).r; }
 #else
+const float wet_clay = 1.0;
 float wet_at(float t) { return 0.0; }
 #endif
 #if SKIN >= 2
@@ -170,11 +172,11 @@ struct Surface {
 };
 
 #ifdef DECORATED
-// Slip dries matt, and a stone polishes it.
-Surface decorated(Surface s) {
-  s.albedo = over(s.albedo);
-  s.roughness = mix(mix(s.roughness, 0.8, painted.a), 0.28, polish());
-  s.coat = mix(mix(s.coat, 0.010, painted.a), 0.035, polish());
+// Slip glistens while it is `wet`, and dries matt and paler; a stone polishes it.
+Surface decorated(Surface s, float wet) {
+  s.albedo = over(s.albedo) * (1.0 - 0.2 * wet * painted.a);
+  s.roughness = mix(mix(s.roughness, mix(0.8, 0.12, wet), painted.a), 0.28, polish());
+  s.coat = mix(mix(s.coat, mix(0.010, 0.045, wet), painted.a), 0.035, polish());
   return s;
 }
 #endif
@@ -242,7 +244,7 @@ Surface of_glaze(Glaze g, float u, float t, float groove, float fleck, float lip
   s.albedo = under * exp(thick * 1.15 * log(max(g.glass, vec3(1e-4)))) * 0.86;
   float glass = min(coat * 4.0, 1.0) * (1.0 - wiped);
 #ifdef DECORATED
-  Surface bare = decorated(Surface(g.body * (1.0 + 0.3 * fleck), 0.7, 0.009));
+  Surface bare = decorated(Surface(g.body * (1.0 + 0.3 * fleck), 0.7, 0.009), 0.0);
   s.albedo = mix(bare.albedo, s.albedo, glass);
   s.roughness = mix(bare.roughness, mix(0.62, 0.07, g.lie.w) + 0.12 * lip, glass);
   s.coat = mix(bare.coat, 0.045, glass);
@@ -389,9 +391,10 @@ void main() {
   float fleck = textureLod(grain, vec2(u * 6.0, position.y * 22.0 + rho * 9.0), level).r - 0.5;
   float groove = clamp(bend / 900.0, -1.0, 1.0);
 #if SKIN < 2
-  Surface skin = of_clay(wet_at(t), groove, fleck);
+  float wet = wet_at(t);
+  Surface skin = of_clay(wet_clay * wet, groove, fleck);
 #ifdef DECORATED
-  skin = decorated(skin);
+  skin = decorated(skin, (1.0 - wet_clay) * smoothstep(0.0, 0.7, wet));
 #endif
 #else
   float lip = PART == 1 ? 1.0 - 0.75 * across * across
@@ -408,7 +411,7 @@ void main() {
   Surface before = of_glaze(glaze_before, u, t, groove, fleck, lip, wiped);
   Surface clay = of_clay(0.0, groove, fleck);
 #ifdef DECORATED
-  clay = decorated(clay);
+  clay = decorated(clay, 0.0);
 #endif
   float patch_ = textureLod(grain, vec2(u * 2.0, position.y * 3.0), 0.0).r;
   float here = smoothstep(-0.16, 0.16, 1.32 * fired - 0.16 - (0.45 * t + 0.55 * patch_));

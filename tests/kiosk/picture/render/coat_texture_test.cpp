@@ -77,6 +77,29 @@ TEST_F(Decorated, ABandIsWhiteAtItsHeightAndClayElsewhere) {
   }
 }
 
+TEST_F(Decorated, SlipThatWasJustLaidGlistensAndTheClayBesideItDoesNot) {
+  DecoratedJar pot(kTall, 0.0);
+  // Dark, and where the window's light is reflected to the eye.
+  for (const double share : {0.6, 0.7, 0.8}) pot.lay(pot.ring(brush_of(1, 0.03), share));
+  view::Frame frame = frame_of(view::Finish::clay);
+  const view::Image dry = show(pot, frame, false);
+  frame.pot->slip_wet = true;
+  frame.pot->wetness_by_row.assign(96, 1.0f);
+  const view::Image wet = show(pot, frame, false);
+  keep_for_looking(dry, "dry_slip");
+  keep_for_looking(wet, "wet_slip");
+  int most = 0;
+  for (double turns = kFront - 0.22; turns < kFront + 0.22; turns += 0.002) {
+    for (double share = 0.58; share < 0.82; share += 0.01)
+      most = std::max(
+          most, seen(wet, frame, pot, share, turns).r - seen(dry, frame, pot, share, turns).r);
+    for (const double beside : {0.2, 0.4})
+      EXPECT_NEAR(seen(wet, frame, pot, beside, turns).r, seen(dry, frame, pot, beside, turns).r, 1)
+          << turns;
+  }
+  EXPECT_GT(most, 60);
+}
+
 TEST_F(Decorated, StripesThatArePackedAtTheSideAreGreyThereAndNotDots) {
   DecoratedJar pot(kTall, 0.0);
   constexpr int kStripes = 240;
