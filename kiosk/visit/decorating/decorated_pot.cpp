@@ -460,6 +460,19 @@ void DecoratedPot::take_back() {
   step_begun_ = false;
 }
 
+Layers DecoratedPot::layers_at(const Place& at) const {
+  const int j = std::clamp(static_cast<int>(at.along * 1e6) / kRowHeight, 0, surface_.rows() - 1);
+  const int i = surface::wrapped(static_cast<std::int64_t>(std::floor(at.turns * kSectors)));
+  Layers out;
+  out.cut = 1e-6 * std::max(-surface_.relief(j, i), 0);
+  const surface::Strata strata = surface_.slip(j, i);
+  for (int k = surface::kStrata - 1; k >= 0; --k)
+    if (const surface::Stratum slip = strata.at(k); slip.code > 0)
+      out.slips.push_back({slip.pigment, 1e-9 * surface::thickness_of(slip.code)});
+  out.glaze = firing_.glaze_at(surface_, j, i, for_the_fire());
+  return out;
+}
+
 std::vector<HandWork> DecoratedPot::work() const {
   std::vector<HandWork> out;
   for (const Step& step : own_steps()) out.push_back(step.work);

@@ -12,6 +12,7 @@
 #include "kiosk/collection/decoration/way.h"
 #include "kiosk/visit/decorating/firing.h"
 #include "kiosk/visit/decorating/hand_work.h"
+#include "kiosk/visit/decorating/layers.h"
 #include "kiosk/visit/decorating/touched_part.h"
 #include "kiosk/visit/decorating/touched_place.h"
 #include "kiosk/visit/decorating/wet_slip.h"
@@ -108,6 +109,9 @@ class DecoratedPot {
 
   /// True once the last update() left nothing to do: no work, no melt, no part of the picture.
   bool settled() const;
+
+  /// What was laid on it at a place, and what the fire has made of it. Allocates.
+  Layers layers_at(const Place& at) const;
 
   /// From now on it notes each touch for work(), some kB each. Call it on a bare pot.
   void keep_work() { keeps_work_ = true; }

@@ -28,10 +28,16 @@ void Firing::end() {
   }
 }
 
+bool Firing::molten(const Pot& pot) const {
+  return fired_ && (glassy_ || pot.glazed) && melt_ && melt_->done() && melt_->glazed();
+}
+
 void Firing::show(decoration::CoatPicture& picture, const Pot& pot) const {
-  const bool molten =
-      fired_ && (glassy_ || pot.glazed) && melt_ && melt_->done() && melt_->glazed();
-  picture.fire(fired_, molten ? &*melt_ : nullptr);
+  picture.fire(fired_, molten(pot) ? &*melt_ : nullptr);
+}
+
+double Firing::glaze_at(const surface::Surface& surface, int j, int i, const Pot& pot) const {
+  return 1e-9 * (molten(pot) ? melt_->fired(j, i) : surface.glaze(j, i) * surface::kGlazeUnit);
 }
 
 void Firing::cool(decoration::CoatPicture& picture) {

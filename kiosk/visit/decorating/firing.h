@@ -32,10 +32,14 @@ class Firing {
   bool melts() const { return fired_ && melt_ && !melt_->done(); }
   /// Tells `picture` to show the pot as it is now.
   void show(decoration::CoatPicture& picture, const Pot& pot) const;
+  /// Thickness of the glaze on a cell: raw, or as it has melted; m.
+  double glaze_at(const surface::Surface& surface, int j, int i, const Pot& pot) const;
   /// The surface is about to change: what melted is forgotten.
   void cool(decoration::CoatPicture& picture);
 
  private:
+  bool molten(const Pot& pot) const;
+
   std::optional<surface::Melt> melt_;  ///< Of the surface as it is.
   bool fired_ = false, glassy_ = true;
 };

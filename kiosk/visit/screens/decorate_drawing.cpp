@@ -83,6 +83,17 @@ std::optional<std::pair<float, float>> SeenPot::pixel(const Place& at) const {
   return pixel;
 }
 
+void draw_place(Page& page, const SeenPot& seen, const decorating::Place& at) {
+  const auto middle = seen.pixel(at);
+  if (!middle) return;
+  const float side = page.type().body * 0.7f;
+  page.draw(view::Box{{middle->first - side / 2, middle->second - side / 2, side, side},
+                      side / 2,
+                      view::kPlaster,
+                      std::max(2.0f, side / 6),
+                      view::kInk});
+}
+
 void draw_mark(Page& page, const SeenPot& seen, double along) {
   const surface::Row& row = row_of(seen.pot, along);
   view::Line line;
@@ -99,15 +110,7 @@ void draw_mark(Page& page, const SeenPot& seen, double along) {
   line.colors = {view::kInk};
   line.width = page.type().body / 9.0f;
   page.draw(std::move(line));
-  // Where Enter puts it.
-  const auto front = seen.pixel({along, seen.front()});
-  if (!front) return;
-  const float side = page.type().body * 0.7f;
-  page.draw(view::Box{{front->first - side / 2, front->second - side / 2, side, side},
-                      side / 2,
-                      view::kPlaster,
-                      std::max(2.0f, side / 6),
-                      view::kInk});
+  draw_place(page, seen, {along, seen.front()});  // where Enter puts it
 }
 
 void draw_finger(Page& page, const SeenPot& seen, const decorating::Example::Finger& finger) {

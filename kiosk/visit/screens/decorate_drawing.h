@@ -23,6 +23,9 @@ struct SeenPot {
   double front() const;
 };
 
+/// A ring round one place; nothing where the pot hides it.
+void draw_place(Page& page, const SeenPot& seen, const decorating::Place& at);
+
 /// A height, m along the outline, as a line round the part that faces the eye.
 void draw_mark(Page& page, const SeenPot& seen, double along);
 

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "kiosk/visit/decorating/touched_place.h"
 #include "kiosk/visit/screens/decorate_controls.h"
+#include "kiosk/visit/screens/decorate_drawing.h"
 #include "kiosk/visit/screens/hidden_drawing.h"
 #include "kiosk/visit/screens/label.h"
 #include "kiosk/visit/screens/light_color.h"
@@ -11,6 +16,7 @@
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/pot_picture.h"
 #include "kiosk/visit/screens/target_line.h"
+#include "kiosk/visit/screens/wall_section.h"
 
 namespace onggi::screens {
 
@@ -23,7 +29,9 @@ constexpr double kDryTime = 4.0;         // s; for an impatient visitor a fifth 
 constexpr double kFireTime = 6.0;        // s
 constexpr double kReglazeTime = 2.4;     // s
 constexpr double kTextFade = 0.5;        // s
-constexpr const char* kLight = "kiln.light";
+constexpr const char *kLight = "kiln.light", *kSection = "kiln.section";
+constexpr double kFirstPlace = 0.55;  // of the outside's length, until a finger says where
+constexpr float kTap = 0.5f;          // of a touch target: a finger that moves less is a tap
 // Times in the firing: the heat is highest here, and the glaze appears as it falls.
 constexpr float kGlassy = 0.3f;  // gloss: a glaze with less is none that melts
 constexpr double kHottest = 0.4, kGlazeFrom = 0.3, kGlazeTo = 0.95;
@@ -48,7 +56,9 @@ class KilnScreen final : public Screen {
   void update(double dt) override {
     picture_.update(desk, dt, nullptr, false, false);
     burn_slips(dt);
-    picture_.show_round(desk, dt, desk.screen().left_handed ? -kGlazeShowSpeed : kGlazeShowSpeed);
+    // It stands still while its wall is looked at.
+    const double speed = place_ ? 0.0 : kGlazeShowSpeed;
+    picture_.show_round(desk, dt, desk.screen().left_handed ? -speed : speed);
     if (desk.still()) return finish();
     const bool chosen = desk.glaze >= 0;
     dried_ = std::min(1.0, dried_ + dt / (chosen ? 0.2 * kDryTime : kDryTime));
@@ -80,6 +90,10 @@ class KilnScreen final : public Screen {
     pot.size = along(along(1, kiln_.dried_size, smooth(dried_)), kiln_.fired_size, smooth(fired_));
     pot.wetness *= 1 - dried_;
     for (float& wet : pot.wetness_by_row) wet *= static_cast<float>(1 - dried_);
+    seen_ = pot.camera;
+    seen_.target = 1 / pot.size * seen_.target;
+    seen_.distance /= pot.size;
+    angle_ = pot.clay_angle;
     if (shown_ < 0) return pot;
     pot.glazing = glazing(shown_);
     if (fired_ < 1) {
@@ -100,10 +114,17 @@ class KilnScreen final : public Screen {
   void lay_out(Page& page) override {
     lay_out_words(page);
     lay_out_light(page);
+    if (place_) draw_place(page, {*desk.decorated, seen_, angle_}, *place_);
   }
 
   void press(const std::string& control) override {
     if (control == kLight) return fired() ? light_.press(window_) : finish();
+    if (control == kSection && has_section()) {
+      if (std::exchange(place_, std::nullopt)) return;
+      const SeenPot pot{*desk.decorated, seen_, angle_};
+      place_ = decorating::Place{kFirstPlace * desk.decorated->outside(), pot.front()};
+      return;
+    }
     if (control == "kiln.keep") {
       finish();
       burn_slips(0);
@@ -124,7 +145,18 @@ class KilnScreen final : public Screen {
   /// A touch on the pot skips ahead, and a finger draws the light along.
   void pointer(const view::InputEvent& e, const Page& page) override {
     if (desk.glaze < 0) return;
-    if (e.kind == view::InputEvent::Kind::pointer_down) finish();
+    if (e.kind == view::InputEvent::Kind::pointer_down) {
+      tapped_ = has_section();
+      tapped_at_ = {e.x, e.y};
+      finish();
+    }
+    tapped_ = tapped_ && std::hypot(e.x - tapped_at_.first, e.y - tapped_at_.second) <
+                             kTap * page.type().target;
+    if (tapped_ && e.kind == view::InputEvent::Kind::pointer_up) {
+      if (const auto at =
+              decorating::place_under(seen_, desk.decorated->surface(), angle_, e.x, e.y))
+        place_ = at;
+    }
     light_.pointer(e, window_, page.where().pot.w);
   }
   std::string step(const std::string& from, Direction to) override {
@@ -143,8 +175,16 @@ class KilnScreen final : public Screen {
     column.foot_buttons(standing_buttons(desk, true));
     column.foot_space(t.gap * 1.5f);
     const Button keep{"kiln.keep", desk.say("kiln.keep"), Look::solid};
+    std::vector<Button> on{keep};
+    if (!hides_.empty()) {
+      on.push_back({has_section() ? kSection : "", desk.say(kSection),
+                    place_          ? Look::chosen
+                    : has_section() ? Look::outline
+                                    : Look::resting});
+      on.back().on = place_.has_value();
+    }
     if (desk.glaze >= 0)
-      column.foot_buttons({keep});
+      column.foot_buttons(on);
     else
       column.foot_space(page.size(keep, page.where().words.w).height);
     column.foot_space(t.gap * 1.5f);
@@ -170,6 +210,9 @@ class KilnScreen final : public Screen {
       return;
     }
     const content::Glaze& glaze = chosen();
+    if (place_)
+      return lay_out_wall_section(column, desk, desk.decorated->way(),
+                                  desk.decorated->layers_at(*place_), glaze);
     const view::Color ink = view::with_alpha(view::kInk, faded_in(chosen_at_));
     column.text(glaze.name_in(desk.words().code()), t.title, Face::serif, ink);
     column.space(t.gap);
@@ -182,6 +225,8 @@ class KilnScreen final : public Screen {
   }
 
   bool fired() const { return desk.glaze >= 0 && fired_ >= 1; }
+  /// A decorated pot's wall can be looked at once it is fired.
+  bool has_section() const { return fired() && !hides_.empty(); }
   /// The light can be moved, and until it was moved a word at the foot of the picture says so.
   void lay_out_light(Page& page) const {
     if (desk.glaze < 0) return;
@@ -280,7 +325,12 @@ class KilnScreen final : public Screen {
   double window_ = view::kWindowLeft;  // that the page wants
   std::vector<bool> hides_;            // by glaze: the drawing; empty for a bare pot
   double dried_ = 0, fired_ = 0, reglazed_ = 1;
-  int shown_ = -1, before_ = -1;  // glazes on the pot
+  int shown_ = -1, before_ = -1;            // glazes on the pot
+  view::Camera seen_;                       // that sees the pot at the size of its surface,
+  double angle_ = 0;                        // and how far it is turned, rad
+  std::optional<decorating::Place> place_;  // whose wall is shown
+  bool tapped_ = false;                     // a finger is down, and has not moved from
+  std::pair<float, float> tapped_at_{};
   double chosen_at_ = -10, told_at_ = -10;
 };
 

@@ -10,7 +10,9 @@ namespace onggi::screens {
 
 /// A visitor whose pot is thrown, and may be decorated.
 struct Decorator : Visitor {
-  explicit Decorator(const std::string& way_id = "celadon") : Visitor(2, nullptr, true) {
+  explicit Decorator(const std::string& way_id = "celadon",
+                     const view::TextMeasure* measure = nullptr)
+      : Visitor(2, measure, true) {
     offer(way_id);
     make_result();
   }
