@@ -106,6 +106,9 @@ class Tracer {
   void sides();
   void side_along(const std::vector<std::optional<EdgePoint>>& lines, bool left);
   void foot();
+  struct OfLip;
+  OfLip lip_at(float turned, float share, float behind) const;
+  bool is_hollow() const { return clay_.inner_at(0.0f, 1.0f) > 0.0f; }
   void lip();
   void section();
 
@@ -306,8 +309,52 @@ void Tracer::foot() {
   outline(edge);
 }
 
+/// The lip where it is seen, at an angle from the middle.
+struct Tracer::OfLip {
+  EdgePoint out, in;          ///< Its edges towards the outside and the inside.
+  float hole = 0, thick = 0;  ///< Of the mouth, m; of the lip in the picture, pixels.
+  bool goes_on = false;       ///< The wall goes on below: no outline.
+  float cosine = 0;           ///< Of the angle.
+};
+
+Tracer::OfLip Tracer::lip_at(float turned, float share, float behind) const {
+  const bool hollow = is_hollow();
+  const float top = outer(turned, height_) - (hollow ? inner(turned, height_) : 0.0f);
+  const float deep = std::min(static_cast<float>(kLipRadius), hollow ? 0.5f * top : top);
+  const float wide = outer(turned, height_ - deep),
+              hole = hollow ? inner(turned, height_ - deep) : 0.0f;
+  const float wall = wide - hole;
+  const float edge = std::min(deep, hollow ? 0.5f * wall : wall), base = height_ - deep;
+  const auto tilt = [&](float beyond) {
+    return std::clamp(std::atan2(beyond, eye_y_ - height_), 0.0f, 0.5f * kPi);
+  };
+  const float cosine = std::cos(turned);
+  const float a = tilt(wide - away_ * cosine), b = tilt(away_ * cosine - hole);
+  const float rho_out = wide - edge * (1.0f - std::cos(a)),
+              rho_in = hole + edge * (1.0f - std::cos(b));
+  const auto along = [&](float rho) {
+    return std::acos(std::clamp(1.0f - 2.0f * (wide - rho) / wall, -1.0f, 1.0f)) / kPi;
+  };
+  OfLip of{clay_at(turned, rho_out, base + deep * std::sin(a)),
+           clay_at(turned, rho_in, base + deep * std::sin(b), kHides, behind),
+           hole,
+           0.0f,
+           rho_out >= wide - 1e-6f,
+           cosine};
+  if (!hollow) return of;
+  of.thick = std::max(glm::length(of.out.at - of.in.at), 0.5f);
+  const float rows = (LipStrip::kTall - 1) / static_cast<float>(LipStrip::kTall);
+  const float from = along(rho_out), to = along(rho_in);
+  of.out.strip = {LipStrip::x(share), LipStrip::y(from), rows * (to - from) / of.thick};
+  of.in.strip = {LipStrip::x(share), LipStrip::y(to), -of.out.strip.z};
+  of.out.most_in = of.in.most_in = 0.5f * of.thick;
+  // At the left and right ends of the mouth there is little room inside.
+  of.in.most_out = 0.9f * std::abs(of.in.at.y - clay_at(0.5f * kPi, rho_in, height_).at.y);
+  return of;
+}
+
 void Tracer::lip() {
-  const bool hollow = clay_.inner_at(0.0f, 1.0f) > 0.0f;
+  const bool hollow = is_hollow();
   const glm::vec2 left = clay_at(0.5f * kPi, outer(0.5f * kPi, height_), height_).at,
                   right = clay_at(-0.5f * kPi, outer(-0.5f * kPi, height_), height_).at;
   const int steps = std::clamp(static_cast<int>(0.35f * glm::length(left - right)), 48, 160);
@@ -315,6 +362,16 @@ void Tracer::lip() {
   const float behind = std::min(2.0f * kBehind, inner(0.0f, height_));
   // From the middle, or from the cut-away's left side, round to the visitor's left.
   const float span = 2.0f * kPi - open_;
+  std::vector<OfLip> round;
+  for (int i = 0; i <= steps; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(steps);
+    round.push_back(lip_at(span * share, share, behind));
+  }
+  // All of it has the strip or none: between a point with its place there and one without lie
+  // places anywhere in the strip.
+  const bool narrow = hollow && std::any_of(round.begin(), round.end(), [this](const OfLip& of) {
+                        return of.thick < kNarrow * texel_;
+                      });
   std::vector<EdgePoint> out, near_in, far_in, hem;
   std::optional<EdgePoint> on_wall;  // the last point where the wall goes on below the lip
   // The wall meets the lip upright, so that its first bend is seen.
@@ -327,56 +384,28 @@ void Tracer::lip() {
     is_crease ? crease(edge) : outline(edge);
     edge.clear();
   };
-  for (int i = 0; i <= steps; ++i) {
-    const float share = static_cast<float>(i) / static_cast<float>(steps), turned = span * share;
-    const float top = outer(turned, height_) - (hollow ? inner(turned, height_) : 0.0f);
-    const float deep = std::min(static_cast<float>(kLipRadius), hollow ? 0.5f * top : top);
-    const float wide = outer(turned, height_ - deep),
-                hole = hollow ? inner(turned, height_ - deep) : 0.0f;
-    const float wall = wide - hole;
-    const float edge = std::min(deep, hollow ? 0.5f * wall : wall), base = height_ - deep;
-    const auto tilt = [&](float beyond) {
-      return std::clamp(std::atan2(beyond, eye_y_ - height_), 0.0f, 0.5f * kPi);
-    };
-    const float cosine = std::cos(turned);
-    const float a = tilt(wide - away_ * cosine), b = tilt(away_ * cosine - hole);
-    const float rho_out = wide - edge * (1.0f - std::cos(a)),
-                rho_in = hole + edge * (1.0f - std::cos(b));
-    const auto along = [&](float rho) {
-      return std::acos(std::clamp(1.0f - 2.0f * (wide - rho) / wall, -1.0f, 1.0f)) / kPi;
-    };
-    EdgePoint o = clay_at(turned, rho_out, base + deep * std::sin(a));
-    EdgePoint n = clay_at(turned, rho_in, base + deep * std::sin(b), kHides, behind);
+  for (OfLip& of : round) {
+    const bool last = &of == &round.back();
+    if (!narrow) of.out.strip = of.in.strip = EdgePoint{}.strip;
     if (hollow) {
-      const float thick = std::max(glm::length(o.at - n.at), 0.5f);
-      const float rows = (LipStrip::kTall - 1) / static_cast<float>(LipStrip::kTall);
-      const float from = along(rho_out), to = along(rho_in);
-      if (thick < kNarrow * texel_) {
-        o.strip = {LipStrip::x(share), LipStrip::y(from), rows * (to - from) / thick};
-        n.strip = {LipStrip::x(share), LipStrip::y(to), -o.strip.z};
-      }
-      o.most_in = n.most_in = 0.5f * thick;
-      // At the left and right ends of the mouth there is little room inside.
-      n.most_out = 0.9f * std::abs(n.at.y - clay_at(0.5f * kPi, rho_in, height_).at.y);
       // On the near side the mouth is behind the lip, on the far side the wall goes on below.
-      const bool is_near = cosine * away_ > hole;
-      const bool room = n.most_out > kCorner * texel_;
-      if (room && is_near) near_in.push_back(n);
-      if (room && !is_near && n.strip.x >= 0.0f) far_in.push_back(n);
+      const bool is_near = of.cosine * away_ > of.hole;
+      const bool room = of.in.most_out > kCorner * texel_;
+      if (room && is_near) near_in.push_back(of.in);
+      if (room && !is_near && narrow) far_in.push_back(of.in);
       if (!room || !is_near) end(near_in, false, false);
       if (!room || is_near) end(far_in, false, true);
     }
     // Where the wall goes on below the lip is no outline.
-    const bool goes_on = rho_out >= wide - 1e-6f;
-    if (out.empty() && !goes_on && on_wall) out = {below(*on_wall), *on_wall};
-    if (!out.empty() || !goes_on) out.push_back(o);
-    if (!out.empty() && goes_on) out.push_back(below(o));
-    if (goes_on || i == steps) end(out, true, false);
-    if (goes_on) on_wall = o;
+    if (out.empty() && !of.goes_on && on_wall) out = {below(*on_wall), *on_wall};
+    if (!out.empty() || !of.goes_on) out.push_back(of.out);
+    if (!out.empty() && of.goes_on) out.push_back(below(of.out));
+    if (of.goes_on || last) end(out, true, false);
+    if (of.goes_on) on_wall = of.out;
     // Near the sides a texel reaches past the clay.
-    const bool facing = goes_on && cosine > 0.5f;
-    if (facing) hem.push_back(o);
-    if (!facing || i == steps) end(hem, true, true);
+    const bool facing = of.goes_on && of.cosine > 0.5f;
+    if (facing) hem.push_back(of.out);
+    if (!facing || last) end(hem, true, true);
   }
   end(near_in, false, false);
   end(far_in, false, true);

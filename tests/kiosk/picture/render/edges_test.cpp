@@ -24,6 +24,7 @@ constexpr int kOdd = 16;              // of 255: beyond all that is about a pixe
 
 double edged_jar(double t) { return 0.045 + 0.035 * std::sin(0.4 + 2.5 * t); }
 double edged_bowl(double t) { return 0.03 + 0.06 * std::sqrt(t); }
+double edged_mug(double) { return 0.075; }
 // A cup on a stem on a block: its rows leap where it turns level.
 double edged_goblet(double t) { return t < 0.34 ? 0.075 : t < 0.7 ? 0.03 : 0.08; }
 const ClayDef kEdgedJar = grid_of(240, 180, 0.20, 0.010),
@@ -284,6 +285,27 @@ TEST_F(AnEdge, OfAGobletIsWhole) {
   if (renderer().status().embedded) GTEST_SKIP() << "OpenGL ES reads no depth back";
   expect_smooth(show(kEdgedJar, edged_goblet, 0.20, 0.09), "goblet",
                 {{{0.75, 0.012}, {0.55, 0.012}}});
+}
+
+// Where a lip came to be wider than a few texels, flecks stood on it, in front and behind.
+TEST_F(AnEdge, OfAThickRimHasNoFlecks) {
+  if (renderer().status().embedded) GTEST_SKIP() << "OpenGL ES reads no depth back";
+  for (const double wall : {0.016, 0.020, 0.024, 0.028}) {
+    view::Frame frame = show(kEdgedJar, edged_mug, 0.20, 0.09);
+    clay_ = thrown_clay(kEdgedJar, edged_mug, wall, 0.0);
+    stage_->clay().show(clay_);
+    const auto rim = *frame.pot->camera.project({0, 0.2, 0});
+    only_ = [&](int x, int y) {
+      return std::abs(static_cast<float>(y) - rim.second) < 40 &&
+             std::abs(static_cast<float>(x) - rim.first) < 80;
+    };
+    const std::string name = "thick_rim_" + std::to_string(std::lround(1e3 * wall));
+    sample(frame, name);
+    only_ = {};
+    const view::Image with = drawn(frame, 0.5);
+    keep_for_looking(with, "edges_" + name);
+    EXPECT_LE(odd(with), 0.0002) << wall;
+  }
 }
 
 // A finger before the rim, or before the wheel head's, is not painted over by the edge behind it.
