@@ -97,6 +97,8 @@ class DecoratedPot {
   bool shows_example() const { return saved_.has_value(); }
 
   bool bare() const { return own_steps().empty(); }
+  /// The visitor laid glaze on it, which melts in the kiln.
+  bool glazed() const { return for_the_fire().glazed; }
   bool can_undo() const { return !shows_example() && !busy() && surface_.can_undo(); }
   /// Takes the last touch back; a finger that is still on the pot draws no more.
   void undo();

@@ -62,6 +62,8 @@ std::vector<Button> tool_buttons(const Desk& desk, const DecoratedPot& pot) {
     row.push_back(choice(numbered(kTool, n),
                          in_words(desk, pot.way().tools[static_cast<std::size_t>(n)].name),
                          n == pot.tool()));
+    // The one that must come before the held one.
+    if (pot.waits(pot.tool()) && pot.held().needs == n) row.back().look = Look::called;
   }
   if (!others) return row;
   Button more{kMore, desk.say(pot.held().more ? "decorate.first" : "decorate.more"), Look::outline};

@@ -99,7 +99,8 @@ class Decorate final : public Screen {
         !pot_->bare() && !desk.curated && desk.now > std::max(since_ + kGoodWhile, used_ + kRead));
     bool begins = false;
     if (const ShelfCard* card = desk.shelf_card(desk.card);
-        card != nullptr && card->vessel != nullptr && !example_.shows())
+        card != nullptr && card->vessel != nullptr && !example_.shows() &&
+        !pot_->waits(pot_->tool()))
       begins = draw_starts(page, seen(), card->vessel->starts);
     if (example_.finger()) draw_finger(page, seen(), *example_.finger());
     const bool marks = marks_ || StrokeBoard::wanted(desk);

@@ -29,6 +29,7 @@ std::map<Sample, int> samples_of(const decorating::DecoratedPot& pot) {
   const auto& picture = pot.picture();
   const auto rows =
       std::min(static_cast<int>(pot.outside() * 1e6) / surface::kRowHeight, pot.surface().rows());
+  const bool glazed = pot.glazed();
   std::map<Sample, int> all;
   const auto level = [](std::uint8_t value) { return (value * kLevels + 127) / 255; };
   for (int j = kFootRows; j < rows; j += kEveryRow)
@@ -37,9 +38,13 @@ std::map<Sample, int> samples_of(const decorating::DecoratedPot& pot) {
       Sample one;
       one.cover = level(picture.paint()[at][3]);
       one.depth = level(picture.form()[at][2]);
-      if (picture.glazed()) one.glaze = level(picture.form()[at][3]);
       const auto top = pot.surface().slip(j, i).at(0);
-      // Smoke covers without a slip.
+      // Smoke covers without a slip. So does glaze until it melts.
+      if (glazed) {
+        one.glaze = level(picture.form()[at][3]);
+        if (pot.surface().glaze(j, i) > 0)
+          one.cover = top.code > 0 ? kLevels : pot.surface().smoke(j, i) > 0 ? one.cover : 0;
+      }
       one.pigment = one.cover == 0 ? 0 : top.code > 0 ? top.pigment : -1;
       ++all[one];
     }
@@ -103,9 +108,9 @@ std::vector<bool> hiding(const decorating::DecoratedPot& pot, const Kiln& kiln) 
   const auto samples = samples_of(pot);
   std::vector<int> shown;
   for (const content::Glaze& glaze : *kiln.glazes)
-    shown.push_back(samples.empty() ? 0
-                                    : seen(samples, pot.way().palette, glaze.look, kiln.coat,
-                                           pot.picture().glazed()));
+    shown.push_back(samples.empty()
+                        ? 0
+                        : seen(samples, pot.way().palette, glaze.look, kiln.coat, pot.glazed()));
   const int best = shown.empty() ? 0 : *std::ranges::max_element(shown);
   std::vector<bool> hides;
   for (const int one : shown) hides.push_back(best > 0 && one < kHardly * best);

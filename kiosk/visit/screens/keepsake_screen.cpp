@@ -34,6 +34,10 @@ class Keepsake final : public Screen {
     gallery_.update(dt);
     if (open_ && !gallery_.any()) turn_to(false);
     if (thanks_until_ && desk.now > *thanks_until_) desk.go(ScreenId::attract);
+    if (leaves_ && !saving()) {
+      leaves_ = false;
+      if (desk.kept == Desk::Kept::kept) finish();
+    }
   }
   bool drag(const view::InputEvent& e, const Page&) override { return open_ && gallery_.drag(e); }
   void pointer(const view::InputEvent& e, const Page&) override {
@@ -43,7 +47,9 @@ class Keepsake final : public Screen {
   void let_go() override { gallery_.let_go(); }
 
   void lay_out(Page& page) override {
-    const Button done{"keepsake.done", desk.say("keepsake.done"), Look::solid};
+    // Nobody is invited to go before they have read the name that the desk asks for.
+    const Button done{"keepsake.done", desk.say("keepsake.done"),
+                      saving() ? Look::outline : Look::solid};
     if (open_) return gallery_.lay_out(page, {done}, true);
     if (thanks_until_) return lay_out_thanks(page);
     if (desk.postcard != 0) lay_out_card(page);
@@ -115,7 +121,10 @@ class Keepsake final : public Screen {
   std::string name() const {
     return desk.words().right_to_left() ? "\u2068" + desk.kept_as + "\u2069" : desk.kept_as;
   }
+  bool saving() const { return desk.kept == Desk::Kept::asked; }
   void finish() {
+    // Who goes early is thanked as soon as the name is there. A second press goes at once.
+    if (saving() && !std::exchange(leaves_, true)) return;
     if (thanks_until_ || desk.kept != Desk::Kept::kept) return desk.go(ScreenId::attract);
     const settings::Exhibit::Screen screen = desk.screen();
     thanks_until_ = desk.now + (screen.spoken || screen.one_switch ? kThanksAided : kThanks);
@@ -195,6 +204,7 @@ class Keepsake final : public Screen {
 
   GalleryPage gallery_;
   bool open_ = false;                          ///< The gallery is open.
+  bool leaves_ = false;                        ///< The visitor has finished, and is to be thanked.
   std::optional<double> thanks_until_;         ///< The visitor is thanked and may go.
   std::string coded_;                          ///< The texts of the codes.
   view::SquareCode page_code_, network_code_;  ///< Computed once for each page.

@@ -200,7 +200,7 @@ class KilnScreen final : public Screen {
     if (desk.glaze < 0) {
       column.text(desk.say("kiln.title"), t.title, Face::serif);
       column.space(t.gap);
-      column.text(desk.say("kiln.choose"), t.body);
+      column.text(desk.say(own_glaze() ? "kiln.choose_own" : "kiln.choose"), t.body);
       if (desk.decorated && !desk.decorated->bare()) {
         column.space(t.gap);
         column.text(desk.say("decorate.did", {{"what", did_in_words(desk, *desk.decorated)}}),
@@ -225,6 +225,7 @@ class KilnScreen final : public Screen {
   }
 
   bool fired() const { return desk.glaze >= 0 && fired_ >= 1; }
+  bool own_glaze() const { return desk.decorated && desk.decorated->glazed(); }
   /// A decorated pot's wall can be looked at once it is fired.
   bool has_section() const { return fired() && !hides_.empty(); }
   /// The light can be moved, and until it was moved a word at the foot of the picture says so.
@@ -232,7 +233,7 @@ class KilnScreen final : public Screen {
     if (desk.glaze < 0) return;
     const Regions& where = page.where();
     const TypeScale& t = page.type();
-    const float foot = where.portrait ? where.words.y - 2.0f * t.gap : where.all.y + where.all.h;
+    const float foot = where.portrait ? where.words.y - 2.0f * t.gap : where.page.y + where.page.h;
     view::Rect picture = where.pot;
     picture.h = std::max(picture.h, foot - picture.y);
     page.control({kLight, picture, desk.say(kLight), {}, {}, true});
@@ -262,6 +263,8 @@ class KilnScreen final : public Screen {
   std::vector<Button> glaze_buttons() const {
     std::vector<Button> row;
     for (const int i : kiln_.order) {
+      // Glaze that lies on the pot melts: there is no choosing none.
+      if (own_glaze() && glaze_at(i).look.gloss < kGlassy) continue;
       Button button{glaze_control(i), glaze_at(i).name_in(desk.words().code()),
                     i == desk.glaze ? Look::chosen : Look::outline};
       button.on = i == desk.glaze;

@@ -93,6 +93,13 @@ TEST(DecorateDrawing, StartsOfTheVesselsMakersAreHintedUntilTheirZoneIsTouched) 
   v.touch("decorate.undo");
   v.show();
   EXPECT_GE(v.faint_strokes(), 2);
+  // A tool that has to wait for another could make none of them.
+  int waiting = 0;
+  while (v.way->tools[static_cast<std::size_t>(waiting)].needs < 0) ++waiting;
+  v.touch("decorate.tool." + std::to_string(waiting));
+  v.show();
+  EXPECT_EQ(v.faint_strokes(), 0);
+  EXPECT_FALSE(v.box_of(said));
 }
 
 }  // namespace

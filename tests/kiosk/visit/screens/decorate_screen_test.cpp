@@ -196,7 +196,7 @@ TEST(DecorateScreen, AToolThatNeedsAnotherSaysWhich) {
   int waiting = 0;
   while (v.way->tools[static_cast<std::size_t>(waiting)].needs < 0) ++waiting;
   v.touch("decorate.tool." + std::to_string(waiting));
-  EXPECT_NE(words_in(v.frame).find("First:"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("Use this first:"), std::string::npos);
   v.stroke(10, 30);
   EXPECT_TRUE(v.pot()->bare());
 }

@@ -52,6 +52,14 @@ TEST(HiddenDrawing, AnEvenCoverIsNoDrawing) {
   EXPECT_TRUE(v.hidden({"ochre"}).empty());
 }
 
+TEST(HiddenDrawing, WhatIsWipedOutOfABrownGlazeDoesNotShowUnderAWhiteOrWithoutOne) {
+  const Drawing v("onggi");
+  const auto hidden = v.hidden({"glaze", "wipe"});
+  for (const char* id : {"white_porcelain", "bare"})
+    EXPECT_NE(std::ranges::find(hidden, id), hidden.end()) << id;
+  EXPECT_EQ(std::ranges::find(hidden, "onggi"), hidden.end());
+}
+
 TEST(HiddenDrawing, TheKilnSaysItBeforeAGlazeIsChosen) {
   Drawing v("porcelain");
   v.make_result();

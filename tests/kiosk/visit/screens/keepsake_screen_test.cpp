@@ -72,8 +72,40 @@ TEST(KeepsakeScreen, WithoutAPotThatIsKeptThereIsNoNameToTell) {
   Visitor v;
   v.make_result();
   v.touch("result.keep");
+  v.visit->keepsake_failed({"the disk", "It is full.", "Make room."});
   v.touch("keepsake.done");
   EXPECT_EQ(v.visit->screen(), ScreenId::attract);
+}
+
+// A quick visitor never read the name by which the desk finds the postcard.
+TEST(KeepsakeScreen, WhoFinishesBeforeThePotIsKeptIsThankedOnceTheNameIsThere) {
+  Visitor v;
+  v.make_result();
+  v.touch("result.keep");
+  v.touch("keepsake.done");
+  v.frames(20);
+  ASSERT_EQ(v.visit->screen(), ScreenId::keepsake);
+  v.visit->keepsake_kept("quiet blue heron");
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "Thank you"));
+  EXPECT_TRUE(says(v, "quiet blue heron"));
+  v.frames(11);
+  EXPECT_EQ(v.visit->screen(), ScreenId::attract);
+}
+
+TEST(KeepsakeScreen, WhoPressesTwiceGoesAtOnceAndWhoCouldNotBeServedIsToldSo) {
+  Visitor insists, unlucky;
+  for (Visitor* v : {&insists, &unlucky}) {
+    v->make_result();
+    v->touch("result.keep");
+    v->touch("keepsake.done");
+  }
+  insists.touch("keepsake.done");
+  EXPECT_EQ(insists.visit->screen(), ScreenId::attract);
+  unlucky.visit->keepsake_failed({"the disk", "It is full.", "Make room."});
+  unlucky.frames(0.5);
+  EXPECT_EQ(unlucky.visit->screen(), ScreenId::keepsake);
+  EXPECT_TRUE(says(unlucky, "Sorry"));
 }
 
 }  // namespace

@@ -97,6 +97,28 @@ TEST(KilnScreen, ThereAreAtLeastThreeGlazesAndEachOneFiresThePot) {
   }
 }
 
+TEST(KilnScreen, APotThatTheVisitorGlazedIsNotOfferedNoGlaze) {
+  for (const bool glazed : {false, true}) {
+    Visitor v(2, nullptr, true);
+    v.offer("onggi");
+    v.make_result();
+    v.touch("result.keep");
+    const auto& tools = v.way->tools;
+    for (std::size_t n = 0; glazed && n < tools.size(); ++n)
+      if (tools[n].id == "glaze") v.touch("decorate.tool." + std::to_string(n));
+    if (glazed) v.touch("decorate.mark");
+    v.frames(4);
+    v.touch("decorate.on");
+    v.frames(0.5);
+    int none = 0;
+    for (std::size_t n = 0; n < v.glazes.size(); ++n)
+      none += v.glazes[n].look.gloss < 0.3f &&
+              v.visit->control("kiln.glaze." + std::to_string(n)).has_value();
+    EXPECT_EQ(none, glazed ? 0 : 1);
+    EXPECT_EQ(words_in(v.frame).find("Your glaze lies on the pot.") != std::string::npos, glazed);
+  }
+}
+
 TEST(KilnScreen, ThePotGlowsAndShrinksAndTheGlazeComesWithoutAJump) {
   KilnVisitor v;
   v.make_result();
@@ -127,7 +149,7 @@ TEST(KilnScreen, AFingerDrawsTheLightRoundTheFiredPotAndATouchAloneDoesNot) {
   const auto says_so = [&] {
     return std::ranges::any_of(v.frame.items, [](const view::Item& item) {
       const auto* text = std::get_if<view::Text>(&item);
-      return text != nullptr && text->text == "Move the light around the pot.";
+      return text != nullptr && text->text == "Draw the light from side to side.";
     });
   };
   EXPECT_EQ(v.pot().window, view::kWindowLeft);
@@ -367,6 +389,8 @@ TEST(KilnScreen, TheNextVisitorFindsNoGlaze) {
   v.make_result();
   v.glaze_and_fire();
   v.touch("kiln.keep");
+  v.visit->keepsake_kept("quiet blue heron");
+  v.touch("keepsake.done");
   v.touch("keepsake.done");
   v.make_result();
   v.touch("result.keep");

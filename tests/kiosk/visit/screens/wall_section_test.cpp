@@ -65,9 +65,11 @@ TEST(WallSection, ATapShowsWhatLiesOnTheClayThere) {
   v.tap(v.at(v.band() + 80));
   EXPECT_TRUE(v.says("The wall at the mark"));
   EXPECT_FALSE(v.says("Cobalt blue: ")) << "there is none so far from the band";
-  for (const view::Item& item : v.frame.items)
-    if (const auto* box = std::get_if<view::Box>(&item); box != nullptr && box->fill.a > 0)
-      EXPECT_GT(box->fill.r + box->fill.g + box->fill.b, 0.1f) << "nothing on it is black";
+  for (const view::Item& item : v.frame.items) {
+    const auto* box = std::get_if<view::Box>(&item);
+    if (box == nullptr || box->fill.a == 0) continue;
+    EXPECT_GT(box->fill.r + box->fill.g + box->fill.b, 0.1f) << "nothing on it is black";
+  }
   // It is as thick as the fire has left it: half a coat.
   const decorating::Layers layers =
       v.pot()->layers_at({1e-6 * v.band() * surface::kRowHeight, 0.25});
