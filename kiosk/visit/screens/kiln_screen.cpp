@@ -225,6 +225,8 @@ class KilnScreen final : public Screen {
   }
 
   bool fired() const { return desk.glaze >= 0 && fired_ >= 1; }
+  /// Glaze that lies on the pot melts: there is no choosing none.
+  bool is_offered(int i) const { return !own_glaze() || glaze_at(i).look.gloss >= kGlassy; }
   bool own_glaze() const { return desk.decorated && desk.decorated->glazed(); }
   /// A decorated pot's wall can be looked at once it is fired.
   bool has_section() const { return fired() && !hides_.empty(); }
@@ -263,8 +265,7 @@ class KilnScreen final : public Screen {
   std::vector<Button> glaze_buttons() const {
     std::vector<Button> row;
     for (const int i : kiln_.order) {
-      // Glaze that lies on the pot melts: there is no choosing none.
-      if (own_glaze() && glaze_at(i).look.gloss < kGlassy) continue;
+      if (!is_offered(i)) continue;
       Button button{glaze_control(i), glaze_at(i).name_in(desk.words().code()),
                     i == desk.glaze ? Look::chosen : Look::outline};
       button.on = i == desk.glaze;
@@ -295,7 +296,7 @@ class KilnScreen final : public Screen {
   std::string hidden_in_words() const {
     std::string names;
     for (const int i : kiln_.order) {
-      if (!hides_[static_cast<std::size_t>(i)]) continue;
+      if (!is_offered(i) || !hides_[static_cast<std::size_t>(i)]) continue;
       const std::string& name = glaze_at(i).name_in(desk.words().code());
       names = names.empty() ? name : desk.say("all.list", {{"first", names}, {"second", name}});
     }

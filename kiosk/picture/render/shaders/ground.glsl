@@ -37,6 +37,10 @@ void main() {
   float sky = mix(lit.y * lit.y, 1.0, smoothstep(0.0, 0.24, length(ground) - foot));
   float light = 0.46 * lit.x + 0.54 * sky;
   float dark = (1.0 - light) * fade * strength;
+#if MODE == 1
+  // A pot that fades is no window onto the dark that it stands on.
+  if (opacity < 1.0) dark *= smoothstep(0.8 * foot, foot, length(ground));
+#endif
 #if MODE == 0
   vec2 within = smoothstep(0.0, 1.0, min(gl_FragCoord.xy, size - gl_FragCoord.xy) / edge);
   dark *= within.x * within.y;

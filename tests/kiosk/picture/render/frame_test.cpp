@@ -348,5 +348,26 @@ TEST_F(AFrame, LitFromBehindTheVisitorIsItsOwnMirrorImageAndItsShadowGoesRoundWi
   EXPECT_NEAR(last, -first, 2.0);
 }
 
+// On the question whether to leave a pot, the dark under its foot was seen through its wall.
+TEST_F(AFrame, APotThatFadesIsNoWindowOntoItsOwnShadow) {
+  renderer().show_clay(thrown_clay(
+      grid_of(200, 180, 0.18, 0.012), [](double) { return 0.05; }, 0.006, 0.0));
+  view::Frame frame = frame_with_pot(480, 400, 0.18, 0.05);
+  frame.pot->wheel = false;
+  const auto shown = [&](double opacity) {
+    frame.pot->opacity = opacity;
+    return renderer().draw_offscreen(frame);
+  };
+  const view::Image pot = shown(1.0), none = shown(0.0), faded = shown(0.2);
+  for (const double back : {-0.6, -0.3, 0.0, 0.3, 0.6}) {
+    const auto at = *frame.pot->camera.project({0, 0, 0.05 * back});
+    const int x = static_cast<int>(at.first), y = static_cast<int>(at.second);
+    const int darkest = std::min(pixel_at(pot, x, y).g, pixel_at(none, x, y).g);
+    EXPECT_GE(pixel_at(faded, x, y).g, darkest - 3) << back;
+    const double mixed = 0.2 * pixel_at(pot, x, y).g + 0.8 * pixel_at(none, x, y).g;
+    EXPECT_NEAR(pixel_at(faded, x, y).g, mixed, 6) << back;
+  }
+}
+
 }  // namespace
 }  // namespace onggi::render::testing

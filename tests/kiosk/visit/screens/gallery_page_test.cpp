@@ -147,6 +147,10 @@ TEST(Gallery, AfterTheKeepsakeItIsATouchAwayAndBackLeadsToThePostcard) {
   ASSERT_TRUE(v.key_to("keepsake.gallery"));
   v.frames(1);
   ASSERT_TRUE(v.key_to("keepsake.done"));
+  v.visit->keepsake_kept("quiet blue heron");
+  v.frames(0.5);
+  EXPECT_FALSE(shows_gallery(v)) << "the thanks";
+  ASSERT_TRUE(v.key_to("keepsake.done"));
   EXPECT_EQ(v.visit->screen(), ScreenId::attract);
 }
 

@@ -115,7 +115,8 @@ TEST(KilnScreen, APotThatTheVisitorGlazedIsNotOfferedNoGlaze) {
       none += v.glazes[n].look.gloss < 0.3f &&
               v.visit->control("kiln.glaze." + std::to_string(n)).has_value();
     EXPECT_EQ(none, glazed ? 0 : 1);
-    EXPECT_EQ(words_in(v.frame).find("Your glaze lies on the pot.") != std::string::npos, glazed);
+    EXPECT_EQ(words_in(v.frame).find("Choose what your glaze melts to.") != std::string::npos,
+              glazed);
   }
 }
 

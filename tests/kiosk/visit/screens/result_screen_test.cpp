@@ -35,7 +35,9 @@ TEST(Result, SpeaksInWordsAndTellsMillimetresToThoseWhoAsk) {
   EXPECT_FALSE(says_millimetres(v));
   v.touch("result.figures");
   v.touch("result.keep");
+  v.visit->keepsake_kept("quiet blue heron");
   v.touch("keepsake.done");
+  v.touch("keepsake.done");  // thanks
   v.make_result();
   v.frames(1);
   EXPECT_FALSE(says_millimetres(v)) << "and is forgotten with its visitor";
