@@ -51,7 +51,12 @@ class KilnScreen final : public Screen {
     if (desk.glaze >= 0) finish();
   }
   ScreenId id() const override { return ScreenId::kiln; }
-  std::string first_focus() const override { return desk.glaze < 0 ? "kiln.glaze.0" : "kiln.keep"; }
+  std::string first_focus() const override {
+    if (desk.glaze >= 0) return "kiln.keep";
+    const bool first = is_offered(0);
+    const auto other = std::ranges::find_if(kiln_.order, [this](int i) { return is_offered(i); });
+    return glaze_control(first ? 0 : *other);
+  }
 
   void update(double dt) override {
     picture_.update(desk, dt, nullptr, false, false);
@@ -183,10 +188,15 @@ class KilnScreen final : public Screen {
                                     : Look::resting});
       on.back().on = place_.has_value();
     }
-    if (desk.glaze >= 0)
+    if (desk.glaze >= 0) {
       column.foot_buttons(on);
-    else
-      column.foot_space(page.size(keep, page.where().words.w).height);
+    } else {
+      // Their room, so that no glaze moves when one is chosen.
+      Page trial = page;
+      Column other(trial, column.rest());
+      other.foot_buttons(on);
+      column.foot_space(column.rest().h - other.rest().h);
+    }
     column.foot_space(t.gap * 1.5f);
     column.foot_buttons(glaze_buttons());
     column.foot_space(t.gap);
@@ -226,7 +236,10 @@ class KilnScreen final : public Screen {
 
   bool fired() const { return desk.glaze >= 0 && fired_ >= 1; }
   /// Glaze that lies on the pot melts: there is no choosing none.
-  bool is_offered(int i) const { return !own_glaze() || glaze_at(i).look.gloss >= kGlassy; }
+  bool is_offered(int i) const {
+    const auto melts = [this](int n) { return glaze_at(n).look.gloss >= kGlassy; };
+    return !own_glaze() || melts(i) || std::ranges::none_of(kiln_.order, melts);
+  }
   bool own_glaze() const { return desk.decorated && desk.decorated->glazed(); }
   /// A decorated pot's wall can be looked at once it is fired.
   bool has_section() const { return fired() && !hides_.empty(); }

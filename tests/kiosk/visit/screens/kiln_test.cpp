@@ -58,8 +58,10 @@ TEST(KilnScreen, NothingBesideThePotMovesFromTheChoiceOfAGlazeToTheEndOfTheFirin
           v.touch("decorate.on");
         }
         v.frames(0.5);
+        const view::Rect glaze = *v.visit->control("kiln.glaze.1");
         v.touch("kiln.glaze.1");
         v.frames(0.2);
+        ASSERT_TRUE(v.visit->control("kiln.glaze.1") == glaze) << file << width << decorated;
         const auto before = v.visit->controls();
         const auto title = [&] {
           for (const view::Item& item : v.frame.items)
@@ -115,9 +117,27 @@ TEST(KilnScreen, APotThatTheVisitorGlazedIsNotOfferedNoGlaze) {
       none += v.glazes[n].look.gloss < 0.3f &&
               v.visit->control("kiln.glaze." + std::to_string(n)).has_value();
     EXPECT_EQ(none, glazed ? 0 : 1);
+    EXPECT_TRUE(v.visit->control(v.visit->focus()) || v.visit->focus().empty());
     EXPECT_EQ(words_in(v.frame).find("Choose what your glaze melts to.") != std::string::npos,
               glazed);
   }
+}
+
+TEST(KilnScreen, WhereNoGlazeMeltsAPotThatTheVisitorGlazedHasAllOfThem) {
+  Visitor v(2, nullptr, true);
+  for (content::Glaze& glaze : v.glazes) glaze.look.gloss = 0;
+  v.offer("onggi");
+  v.make_result();
+  v.touch("result.keep");
+  for (std::size_t n = 0; n < v.way->tools.size(); ++n)
+    if (v.way->tools[n].id == "glaze") v.touch("decorate.tool." + std::to_string(n));
+  v.touch("decorate.mark");
+  v.frames(4);
+  v.touch("decorate.on");
+  v.frames(0.5);
+  EXPECT_TRUE(v.visit->control("kiln.glaze.0"));
+  v.touch("kiln.glaze.0");
+  EXPECT_TRUE(v.visit->control("kiln.keep"));
 }
 
 TEST(KilnScreen, ThePotGlowsAndShrinksAndTheGlazeComesWithoutAJump) {
