@@ -275,7 +275,11 @@ Result<void> ScriptedVisitor::on_kiln() {
     half_shown_ = true;
     pass("kiln");
     entered_ = now_ - plan_.linger + kInTheFire;
-    return touch("kiln.glaze." + std::to_string(plan_.glaze));
+    const std::string glaze = "kiln.glaze." + std::to_string(plan_.glaze);
+    if (!kiosk_.visit().control(glaze))
+      return problem("--glaze", "The pot has glaze of its own, so the kiln does not offer none.",
+                     "Name another glaze, or leave --decorate out.");
+    return touch(glaze);
   }
   if (!label_open_) {
     label_open_ = true;

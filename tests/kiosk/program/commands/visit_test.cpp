@@ -282,5 +282,13 @@ TEST(Visit, AnEmptyShelfIsNamedByItsPlace) {
   EXPECT_NE(run.err.find((folder / "shelf").string()), std::string::npos) << run.err;
 }
 
+TEST(Visit, AGlazeThatADecoratedPotCannotHaveIsTheInputsFault) {
+  const ScratchFolder folder;
+  const Outcome run = onggi("visit --vessel onggi --script follow --decorate --glaze bare --out '" +
+                            (folder / "out").string() + "'");
+  EXPECT_EQ(run.exit_code, 2) << run.err;
+  EXPECT_NE(run.err.find("glaze of its own"), std::string::npos) << run.err;
+}
+
 }  // namespace
 }  // namespace onggi::commands
