@@ -149,20 +149,12 @@ void DecoratedPot::apply(surface::Stroke stroke, int repeats) {
 
 void DecoratedPot::note(const surface::Stroke& stroke, int repeats) {
   HandWork& work = steps_.back().work;
-  const WayTool::Hand hand = tool_at(working_).hand;
   if (work.ways.empty()) {
     work.tool = working_;
     work.law = stroke.tool;
     work.repeats = repeats;
   }
-  if (stroke.stations.empty() || hand == WayTool::figure) return;
-  const auto same = [](const Station& a, const Station& b) {
-    return a.along == b.along && a.round == b.round;
-  };
-  const bool goes_on = !work.ways.empty() && same(work.ways.back().back(), stroke.stations.front());
-  if (!goes_on) work.ways.emplace_back();
-  auto& way = work.ways.back();
-  way.insert(way.end(), stroke.stations.begin() + (goes_on ? 1 : 0), stroke.stations.end());
+  if (tool_at(working_).hand != WayTool::figure) work.go_on(stroke.stations);
 }
 
 void DecoratedPot::end_step() {
@@ -463,14 +455,7 @@ void DecoratedPot::take_back() {
 Layers DecoratedPot::layers_at(const Place& at) const {
   const int j = std::clamp(static_cast<int>(at.along * 1e6) / kRowHeight, 0, surface_.rows() - 1);
   const int i = surface::wrapped(static_cast<std::int64_t>(std::floor(at.turns * kSectors)));
-  Layers out;
-  out.cut = 1e-6 * std::max(-surface_.relief(j, i), 0);
-  const surface::Strata strata = surface_.slip(j, i);
-  for (int k = surface::kStrata - 1; k >= 0; --k)
-    if (const surface::Stratum slip = strata.at(k); slip.code > 0)
-      out.slips.push_back({slip.pigment, 1e-9 * surface::thickness_of(slip.code)});
-  out.glaze = firing_.glaze_at(surface_, j, i, for_the_fire());
-  return out;
+  return layers_on(surface_, j, i, firing_.glaze_at(surface_, j, i, for_the_fire()));
 }
 
 std::vector<HandWork> DecoratedPot::work() const {

@@ -20,6 +20,9 @@ struct HandWork {
   std::optional<Figure> figure;
   /// The tool's ways over the clay, the first of the repeats. None for a figure, a dip, smoke.
   std::vector<std::vector<surface::Station>> ways;
+
+  /// The tool's next stations: of its last way, if they begin where it ends, else of another.
+  void go_on(const std::vector<surface::Station>& stations);
 };
 
 }  // namespace onggi::decorating

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "engine/surface/surface.h"
+
 namespace onggi::decorating {
 
 /// What lies on the clay at one place of a pot.
@@ -14,5 +16,8 @@ struct Layers {
   std::vector<Slip> slips;  ///< The lowest first.
   double glaze = 0.0;       ///< m; as it has melted, once it was fired.
 };
+
+/// On a cell of `surface`, where its glaze is `glaze` m thick. Allocates.
+Layers layers_on(const surface::Surface& surface, int j, int i, double glaze);
 
 }  // namespace onggi::decorating
