@@ -60,7 +60,21 @@ TEST_F(Decorating, WritesOverNothing) {
 }
 
 TEST_F(Decorating, LooksBeforeTheWorkWhetherItCanBeKept) {
-  EXPECT_NE(said("jar -o /nowhere/at/all.toml" + kWords, 1).find("/nowhere/at"), std::string::npos);
+  EXPECT_NE(said("jar -o /nowhere/at/all.toml" + kWords).find("Create it first"),
+            std::string::npos);
+  EXPECT_NE(said("jar -o /proc/all.toml" + kWords, 1).find("/proc/all.toml"), std::string::npos);
+  EXPECT_NE(said("jar -o /tmp" + kWords).find("It is a folder"), std::string::npos);
+}
+
+TEST_F(Decorating, AMissingDrawingOrExhibitIsToldByItsName) {
+  fs::remove(folder_ / "shelf/jar/profile.toml");
+  EXPECT_NE(said("jar" + kWords).find("profile.toml"), std::string::npos);
+  fs::create_directory(folder_ / "shelf/empty");
+  EXPECT_NE(said("empty" + kWords).find("vessel.toml"), std::string::npos);
+  fs::remove(folder_ / "exhibit.toml");
+  const std::string gone = said("jar" + kWords);
+  EXPECT_NE(gone.find("exhibit.toml"), std::string::npos);
+  EXPECT_EQ(gone.find("no such vessel"), std::string::npos) << gone;
 }
 
 TEST_F(Decorating, WantsToKnowWhereTheDecorationIsPublished) {
@@ -70,6 +84,7 @@ TEST_F(Decorating, WantsToKnowWhereTheDecorationIsPublished) {
 
 TEST_F(Decorating, WithoutADesktopItSaysSo) {
   EXPECT_NE(said("jar" + kWords, 1).find("DISPLAY"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "shelf/jar/decoration.toml")) << "nothing was drawn";
 }
 
 }  // namespace
