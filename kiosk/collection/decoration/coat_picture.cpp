@@ -19,7 +19,9 @@ constexpr double kRawGlazeHides = 1.2e-4;             // m
 constexpr int kSlopeUnit = 64, kLevel = 128;          // of form()
 constexpr int kDepthUnit = 4 * surface::kNanometres;  // nm
 constexpr int kTopsAcross = CoatPicture::kTileColumns + 2;
-constexpr int kFeels = 3;  // cells from which a slope is told: neighbours, evened with theirs
+constexpr int kWholeBead = 2 * CoatPicture::kLeastBead;  // um: it moves the outline by all of it
+constexpr int kBelowLip = 12;  // rows over which a bead runs out below the lip, which has none
+constexpr int kFeels = 3;      // cells from which a slope is told: neighbours, evened with theirs
 
 std::uint64_t next_change() {
   static std::atomic<std::uint64_t> last{0};
@@ -47,6 +49,7 @@ CoatPicture::CoatPicture(const surface::Surface& surface, const Palette& palette
   paint_.resize(cells);
   form_.assign(cells, {kLevel, kLevel, 0, 0});
   const auto tiles = static_cast<std::size_t>(tiles_down() * tiles_across());
+  beads_.assign(tiles * (kTileRows / kBeadRows) * (kTileColumns / kBeadColumns), 0);
   change_ = next_change();
   changes_.assign(tiles, change_);
   stale_.assign(tiles, false);
@@ -80,6 +83,7 @@ void CoatPicture::tell_rows(const surface::Surface& surface) {
     if (part <= Part::lip) lip = j + 1;
     if (part <= Part::inside) inside = j + 1;
   }
+  outside_ = outside;
   lip = std::max(lip, outside);
   inside = std::max(inside, lip);
   lip_from_ = share(outside), lip_to_ = share(lip), floor_from_ = share(inside);
@@ -228,8 +232,29 @@ void CoatPicture::draw_tile(const surface::Surface& surface, int down, int acros
       form_[at] = form_at(surface, j, i, j - down * kTileRows, i - across * kTileColumns);
       glaze = glaze || surface.glaze(j, i) > 0;
     }
+  draw_beads(surface, down, across);
   has_glaze_[static_cast<std::size_t>(down * tiles_across() + across)] = glaze;
   middle_stale_ = middle_stale_ || (has_middle_ && down == tiles_down() - 1);
+}
+
+void CoatPicture::draw_beads(const surface::Surface& surface, int down, int across) {
+  constexpr int kDown = kTileRows / kBeadRows, kAcross = kTileColumns / kBeadColumns;
+  for (int row = 0; row < kDown; ++row)
+    for (int column = 0; column < kAcross; ++column) {
+      const int from = down * kTileRows + row * kBeadRows,
+                first = across * kTileColumns + column * kBeadColumns;
+      std::int64_t sum = 0;
+      for (int j = from; j < std::min(from + kBeadRows, outside_); ++j)
+        for (int i = first; i < first + kBeadColumns; ++i) sum += surface.relief(j, i);
+      const auto mean = static_cast<int>(sum / (kBeadRows * kBeadColumns));
+      const int of_it = std::clamp(mean - kLeastBead, 0, kWholeBead - kLeastBead);
+      const int below = std::clamp(outside_ - from - kBeadRows, 0, kBelowLip);
+      const std::int64_t out =
+          std::int64_t{mean} * of_it * below / (std::int64_t{kWholeBead - kLeastBead} * kBelowLip);
+      beads_[static_cast<std::size_t>(((down * kDown + row) * tiles_across() + across) * kAcross +
+                                      column)] =
+          static_cast<std::uint8_t>(std::min<std::int64_t>(out / kBeadUnit, 255));
+    }
 }
 
 /// The mean of the ring beside it; level.

@@ -60,6 +60,13 @@ class CoatPicture {
   /// True once all of the picture shows molten glaze.
   bool melted() const { return melted_; }
 
+  /// How far clay stands out of the outside, a coil above all, so that the outline moves with it:
+  /// kBeadUnit a unit, the mean of kBeadRows x kBeadColumns cells; 0 where it is under kLeastBead,
+  /// and at the lip. kSectors / kBeadColumns across, kTileRows / kBeadRows to a tile down.
+  const std::vector<std::uint8_t>& beads() const { return beads_; }
+  static constexpr int kBeadRows = 4, kBeadColumns = 6;
+  static constexpr int kBeadUnit = 12, kLeastBead = 150;  ///< um. A coil is 3 mm at most.
+
   int tiles_down() const { return (rows_ + kTileRows - 1) / kTileRows; }
   int tiles_across() const { return surface::kSectors / kTileColumns; }
   /// Of the tile: the change that drew it last. A number is given once in the program's life, so a
@@ -92,6 +99,7 @@ class CoatPicture {
   Texel form_at(const surface::Surface& surface, int j, int i, int row, int column) const;
   void draw_tile(const surface::Surface& surface, int down, int across);
   void even_middle();
+  void draw_beads(const surface::Surface& surface, int down, int across);
 
   Palette palette_;
   /// Of what lies below, the share that a coat hides: by pigment and code of its thickness.
@@ -101,6 +109,8 @@ class CoatPicture {
   bool fired_ = false, glazed_ = false, melted_ = false;
   const surface::Melt* melt_ = nullptr;
   std::vector<Texel> paint_, form_;
+  std::vector<std::uint8_t> beads_;
+  int outside_ = 0;  // rows of the outside
   std::vector<int> tops_;
   /// The floor's middle has no cells. The last row is drawn all over it, so it is even.
   bool has_middle_ = false, middle_stale_ = false;

@@ -42,7 +42,6 @@ Result<ClayPrograms> ClayPrograms::create() {
 
 const Program& ClayPrograms::of(Which which) {
   which.torn = which.torn && tears(which.part) && !which.read;
-  which.decorated = which.decorated && which.part != kSection;
   std::array<Programs, 2>& both = which.read ? read_ : which.torn ? torn_ : drawn_;
   const Program& plain = both[0][which.skin][which.part];
   if (!which.decorated || refused_) return plain;

@@ -21,7 +21,7 @@ class ClayPrograms {
     std::size_t part = 0;
     std::size_t skin = 0;    ///< If it is read: kDry or kGlazed.
     bool torn = false;       ///< Nothing where the part cannot tear, or is read.
-    bool decorated = false;  ///< Nothing for a section.
+    bool decorated = false;  ///< Of a section: beads stand out of it.
     bool read = false;       ///< Not for a section.
   };
   static Result<ClayPrograms> create();

@@ -13,6 +13,8 @@ namespace {
 using decoration::CoatPicture;
 using Texel = CoatPicture::Texel;
 
+constexpr float kBeadMetres = 1e-6f * CoatPicture::kBeadUnit;  // of a unit
+
 /// Texels of a strip of tiles, row by row.
 struct Strip {
   int width = 0, height = 0;
@@ -135,6 +137,7 @@ void CoatTexture::make_room(const CoatPicture& coat) {
   form_ = room_for(width_, rows);
   changes_.assign(static_cast<std::size_t>(coat.tiles_down() * coat.tiles_across()), 0);
   by_height_.clear();
+  beads_.clear();
 }
 
 void CoatTexture::send(const CoatPicture& coat, int down, int from, int to) {
@@ -185,6 +188,43 @@ void CoatTexture::show(const CoatPicture* coat) {
       if (to > from) send(*coat, down, from, to);
     }
   change_ = coat->change();
+  show_beads(*coat);
+}
+
+void CoatTexture::show_beads(const CoatPicture& coat) {
+  if (beads_ == coat.beads()) return;
+  beads_ = coat.beads();
+  has_beads_ =
+      std::any_of(beads_.begin(), beads_.end(), [](std::uint8_t high) { return high > 0; });
+  const int across = has_beads_ ? width_ / CoatPicture::kBeadColumns : 1,
+            rows = has_beads_ ? static_cast<int>(beads_.size()) / across : 1;
+  bead_texture_ = Texture::create(GL_R8, across, rows, GL_RED, GL_UNSIGNED_BYTE, beads_.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+}
+
+float CoatTexture::bead_at(float round, float up) const {
+  if (!has_beads()) return 0.0f;
+  // As the shader reads both tables, between their texels.
+  const auto last = static_cast<float>(by_height_.size() - 1);
+  const float at = std::clamp(up, 0.0f, 1.0f) * last, low = std::floor(at);
+  const auto n = static_cast<std::size_t>(low);
+  const float share =
+      std::lerp(by_height_[n][0], by_height_[std::min(n + 1, by_height_.size() - 1)][0], at - low);
+  const int across = width_ / CoatPicture::kBeadColumns,
+            rows = static_cast<int>(beads_.size()) / across;
+  const float x = (round - std::floor(round)) * static_cast<float>(across) - 0.5f,
+              y = std::clamp(share * static_cast<float>(height_) / CoatPicture::kBeadRows - 0.5f,
+                             0.0f, static_cast<float>(rows - 1));
+  const float left = std::floor(x), down = std::floor(y);
+  const auto texel = [&](int column, int row) {
+    const std::size_t at_column = static_cast<std::size_t>((column + across) % across),
+                      at_row = static_cast<std::size_t>(std::min(row, rows - 1));
+    return static_cast<float>(beads_[at_row * static_cast<std::size_t>(across) + at_column]);
+  };
+  const auto i = static_cast<int>(left), j = static_cast<int>(down);
+  const float lower = std::lerp(texel(i, j), texel(i + 1, j), x - left),
+              upper = std::lerp(texel(i, j + 1), texel(i + 1, j + 1), x - left);
+  return kBeadMetres * std::lerp(lower, upper, y - down);
 }
 
 void CoatTexture::set(const Program& program, float pixel, int unit) const {
@@ -194,6 +234,9 @@ void CoatTexture::set(const Program& program, float pixel, int unit) const {
   program.set("form", unit + 1);
   rows_.bind(unit + 2);
   program.set("coat_rows", unit + 2);
+  bead_texture_.bind(unit + 3);
+  program.set("beads", unit + 3);
+  program.set("most_bead", 255.0f * kBeadMetres);
   program.set("floor_rows", glm::vec2(floor_from_, floor_to_));
   program.set("floor_ends", static_cast<float>(surface::kLeastRadius));
   program.set("own_glaze", glazed_ ? 1.0f : 0.0f);

@@ -21,11 +21,15 @@ class CoatTexture {
   bool shown() const { return shown_; }
   /// Of what is shown: equal numbers look the same. 0: nothing.
   std::uint64_t change() const { return shown_ ? change_ : 0; }
+  /// True if clay stands out of it, so that it moves the outline (CoatPicture::beads()).
+  bool has_beads() const { return shown_ && has_beads_; }
+  /// How far, m, as the shader reads it: `round` is the share of a turn, `up` of the height.
+  float bead_at(float round, float up) const;
   /// Whether thin lines are smooth where the wall turns away from the eye (default) or in dots: up
   /// to eight reads of the textures a pixel, or two.
   void draw_fine(bool fine) { fine_ = fine; }
-  /// Binds the textures to the unit and the two after it, and sets the current program's uniforms.
-  /// `pixel`: size of a pixel on the clay, metres.
+  /// Binds the textures to the unit and the three after it, and sets the current program's
+  /// uniforms. `pixel`: size of a pixel on the clay, metres.
   void set(const Program& program, float pixel, int unit) const;
 
   /// Paint with its colour times its cover, so that filtered edges keep the paint's colour. Has the
@@ -37,7 +41,11 @@ class CoatTexture {
   void make_room(const decoration::CoatPicture& coat);
   void send(const decoration::CoatPicture& coat, int down, int from, int to);
 
-  Texture paint_, form_, rows_;
+  void show_beads(const decoration::CoatPicture& coat);
+
+  Texture paint_, form_, rows_, bead_texture_;
+  std::vector<std::uint8_t> beads_;
+  bool has_beads_ = false;
   std::vector<std::uint64_t> changes_;  // of each tile, as uploaded
   std::vector<std::array<float, 2>> by_height_;
   int width_ = 0, height_ = 0;

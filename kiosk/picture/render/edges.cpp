@@ -56,9 +56,9 @@ Result<std::unique_ptr<Edges>> Edges::create() {
   return edges;
 }
 
-void Edges::prepare(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
-                    const glm::mat4& clip, double scale) {
-  now_ = outline_of(clay, wall, pot, clip, static_cast<float>(1.0 / scale));
+void Edges::prepare(const ClaySurface& clay, const CoatTexture& coat, const WallMesh& wall,
+                    const view::PotView& pot, const glm::mat4& clip, double scale) {
+  now_ = outline_of(clay, coat, wall, pot, clip, static_cast<float>(1.0 / scale));
   now_indices_ = now_.outlines;
   now_indices_.insert(now_indices_.end(), now_.creases.begin(), now_.creases.end());
   calls::bind_array(array_.get());

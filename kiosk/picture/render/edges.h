@@ -27,8 +27,8 @@ class Edges {
 
   /// Finds and uploads the outlines for a picture that is `scale` times the camera's size. Binds
   /// the target of the lip's strip, for draw_lip() with the program of the lip in clay.glsl.
-  void prepare(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
-               const glm::mat4& clip, double scale);
+  void prepare(const ClaySurface& clay, const CoatTexture& coat, const WallMesh& wall,
+               const view::PotView& pot, const glm::mat4& clip, double scale);
   void draw_lip() const { lip_.draw(); }
   /// Draws them into the bound target, which shows `space` over `ground` and is a whole frame.
   void draw(const Target& space, const BareDepths& bare, const Texture& ground, float opacity,

@@ -24,9 +24,10 @@ constexpr float kCorner = 1.0f;   // texels: less room in the mouth is none
 
 class Tracer {
  public:
-  Tracer(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
-         const glm::mat4& clip, float texel)
+  Tracer(const ClaySurface& clay, const CoatTexture& coat, const WallMesh& wall,
+         const view::PotView& pot, const glm::mat4& clip, float texel)
       : clay_(clay),
+        coat_(coat),
         wall_(wall),
         pot_(pot),
         clip_(clip),
@@ -85,7 +86,10 @@ class Tracer {
     const Projected p = project(place(turned, rho, y));
     return {p.at, {depth_of(p.metres - kHides), kAll, 1.0f}};
   }
-  float outer(float turned, float y) const { return clay_.outer_at(share_of(turned), y / height_); }
+  float outer(float turned, float y) const {
+    const float share = share_of(turned), up = y / height_;
+    return clay_.outer_at(share, up) + coat_.bead_at(share, up);
+  }
   float inner(float turned, float y) const { return clay_.inner_at(share_of(turned), y / height_); }
   float share_of(float turned) const {
     return (front_ + turned - static_cast<float>(pot_.clay_angle)) / (2.0f * kPi);
@@ -113,6 +117,7 @@ class Tracer {
   void section();
 
   const ClaySurface& clay_;
+  const CoatTexture& coat_;
   const WallMesh wall_;
   const view::PotView& pot_;
   const glm::mat4 clip_;
@@ -453,9 +458,9 @@ void Tracer::section() {
 
 }  // namespace
 
-Ribbons outline_of(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
-                   const glm::mat4& clip, float texel) {
-  return Tracer(clay, wall, pot, clip, texel).trace();
+Ribbons outline_of(const ClaySurface& clay, const CoatTexture& coat, const WallMesh& wall,
+                   const view::PotView& pot, const glm::mat4& clip, float texel) {
+  return Tracer(clay, coat, wall, pot, clip, texel).trace();
 }
 
 }  // namespace onggi::render

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kiosk/picture/render/clay_surface.h"
+#include "kiosk/picture/render/coat_texture.h"
 #include "kiosk/picture/render/ribbons.h"
 #include "kiosk/picture/view/frame.h"
 
@@ -38,8 +39,9 @@ struct WallMesh {
 };
 
 /// The edges of clay and wheel head as ribbons. `texel`: pixels of the frame in one of the picture.
-/// Hidden edges are among them: the picture's depth hides them.
-Ribbons outline_of(const ClaySurface& clay, const WallMesh& wall, const view::PotView& pot,
-                   const glm::mat4& clip, float texel);
+/// Hidden edges are among them: the picture's depth hides them. `coat`: what stands out of it moves
+/// the wall's outline.
+Ribbons outline_of(const ClaySurface& clay, const CoatTexture& coat, const WallMesh& wall,
+                   const view::PotView& pot, const glm::mat4& clip, float texel);
 
 }  // namespace onggi::render

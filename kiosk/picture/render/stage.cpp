@@ -24,10 +24,13 @@ constexpr std::array<Wall, 4> kWalls{
     {{44, 48, 280.0f}, {60, 96, 580.0f}, {96, 192, 1200.0f}, {192, 400, 1e9f}}};
 // Equally fine meshes for the part of the circle that faces the eye, if that is at most kFacing.
 constexpr double kFacing = 0.6;
+// More of the circle that shows a bead of 3 mm over the edge of a wall of 45 mm.
+constexpr double kBeadsSeen = 0.12;
 // Less of the inside is visible, so it has the next coarser mesh.
 constexpr std::size_t inside_of(std::size_t wall) { return wall > 0 ? wall - 1 : 0; }
 constexpr float kBeforeSection = 0.003f, kInk = 0.0002f;  // m
 constexpr int facing_columns(int columns) { return static_cast<int>(kFacing * columns + 0.5); }
+constexpr std::size_t kSectionPart = 4;
 constexpr Wall kMirrored{44, 16, 1e9f};
 constexpr double kMirroredHeight = 0.12;  // m
 // For the lip, by its radius in pixels: it is an outline all round, some pixels wide.
@@ -40,7 +43,7 @@ constexpr int kRim = 96;  // corners of the wheel head
 // Texture units.
 constexpr int kOuter = 0, kInner = 1, kLevelsUnit = 2, kSky = 3, kGrain = 4, kShadow = 5,
               kRowAt = 6, kWetRows = 7, kTornAt = 8, kOwnPicture = 9, kAway = 10,
-              kCoat = 11;  // and two more
+              kCoat = 11;  // and three more
 
 glm::mat4 clip_of(const view::Camera& camera) {
   glm::mat4 view, projection;
@@ -234,7 +237,7 @@ void Stage::prepare_edges(const view::PotView& pot, double scale) {
             kWalls[inside_of(drawn.size)].rows, drawn.open_from + drawn.open_angle,
             2.0f * glm::pi<float>() - drawn.open_angle};
   }
-  edges_->prepare(clay_, wall, pot, clip, scale);
+  edges_->prepare(clay_, coat_, wall, pot, clip, scale);
   if (clay_.empty()) return;
   // As fine as the frame.
   use_clay(1, pot, clip, pixel_size(pot.camera, 1.0)).set("unrolled", LipStrip::kUnrolled);
@@ -247,7 +250,7 @@ void Stage::draw_edges(const view::PotView& pot, const Target& space, const Bare
   edges_->draw(space, bare, ground, opacity, width, height);
   if (clay_.empty() || pot.cut_away <= 0.001) return;
   const float pixel = pixel_size(pot.camera, 1.0);
-  const Program& program = use_clay(4, pot, clip_of(pot.camera), pixel);
+  const Program& program = use_clay(kSectionPart, pot, clip_of(pot.camera), pixel);
   program.set("soft_edges", 0.0f);
   program.set("ink", kInk);
   // A finger is nearer than the section by more than the depths within a texel.
@@ -284,8 +287,11 @@ void Stage::draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pi
 const Program& Stage::use_clay(std::size_t part, const view::PotView& pot, const glm::mat4& clip,
                                float pixel) {
   const bool torn = clay_.tears().any();
-  const Program& program = clay_programs_.of(
-      {.part = part, .skin = ClaySkin::of(pot), .torn = torn, .decorated = coat_.shown()});
+  const Program& program =
+      clay_programs_.of({.part = part,
+                         .skin = ClaySkin::of(pot),
+                         .torn = torn,
+                         .decorated = part == kSectionPart ? coat_.has_beads() : coat_.shown()});
   program.use();
   if (torn && ClayPrograms::tears(part)) {
     clay_.tears().texture().bind(kTornAt);
@@ -352,9 +358,14 @@ std::vector<view::SkinPoint> Stage::read_skin(const ClayMesh& mesh,
 
 Stage::DrawnWall Stage::drawn_wall(const view::PotView& pot, float pixel) const {
   const Vec3 eye = (1.0 / static_cast<double>(size_of(pot))) * pot.camera.eye();
-  const std::size_t size = fine_enough(kWalls, static_cast<float>(clay_.height()) / pixel);
+  std::size_t size = fine_enough(kWalls, static_cast<float>(clay_.height()) / pixel);
+  double facing = clay_.facing(eye);
+  if (coat_.has_beads()) {
+    size = std::min(size + 1, kWalls.size() - 1);
+    facing += kBeadsSeen;
+  }
   const float front = front_of(pot.camera);
-  if (pot.cut_away <= 0.001 && clay_.facing(eye) <= kFacing) {
+  if (pot.cut_away <= 0.001 && facing <= kFacing) {
     // Skip parts that face away: the hidden gap of a cut-away.
     const float gap = 2.0f * glm::pi<float>() * (1.0f - static_cast<float>(kFacing));
     return {size, true, front + glm::pi<float>() - 0.5f * gap, gap};
@@ -396,7 +407,7 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
   }
   if (pot.cut_away <= 0.001) return;
   glDisable(GL_CULL_FACE);
-  const Program& section = use(4);
+  const Program& section = use(kSectionPart);
   section.set("onto", glm::vec4(0.0f));
   // A texel is too wide for the line: draw_edges() draws it.
   section.set("ink", whole_frame ? kInk : 0.0f);

@@ -4,7 +4,7 @@
 // floor and wall. SKIN: 0 dry clay, 1 wet clay, 2 glazed, 3 changing to a glaze. Both are fixed
 // when the program is compiled: software rasterizers run every branch of a shader, so a scene
 // without water compiles none of the wet clay. DECORATED: with paint, cuts and glaze of its own,
-// after coat.glsl; not a section. READ: writes the surface at given places, without light
+// after coat.glsl; a section has its beads alone. READ: writes the surface at given places, without light
 // (skin_reader.cpp).
 
 uniform mat4 clip_from_studio;
@@ -55,6 +55,15 @@ float inner_at(float u, float t) {
   return radius_at(inner_radius, u, max(rows_at(t).x, first_wall_row));
 }
 
+// Of the drawn outside: a bead moves it. Its light comes from the slopes of the coat.
+float outside_at(float u, float t) {
+#if defined(DECORATED) && (PART == 0 || PART == 4)
+  return outer_at(u, t) + bead_at(u, t);
+#else
+  return outer_at(u, t);
+#endif
+}
+
 // A potter's wet finger leaves the lip round: half a torus on a thin wall, rounded edges on a thick
 // one. Returns how far the rounding goes down at the faces.
 float lip_depth(float u) {
@@ -100,7 +109,7 @@ void main() {
 #endif
 #if PART == 0
   float y = along * share * shoulder;
-  float r = outer_at(u, y / height);
+  float r = outside_at(u, y / height);
 #elif PART == 1
   float top_outer = outer_at(u, shoulder / height), top_inner = inner_at(u, shoulder / height);
   float across = 0.5 - 0.5 * cos(kPi * along);  // columns are closer where the lip is round
@@ -119,7 +128,7 @@ void main() {
   bool of_floor = along < 0.0;
   float y = of_floor ? (along + 1.0) * floor_height
                      : mix(min(floor_height, shoulder), shoulder, along);
-  float outer = outer_at(u, y / height), inner = of_floor ? 0.0 : inner_at(u, y / height);
+  float outer = outside_at(u, y / height), inner = of_floor ? 0.0 : inner_at(u, y / height);
   float r = mix(inner, outer, 0.5 - 0.5 * cos(kPi * round_));
   y += along > 0.999 ? lip_rise(depth, inner, outer, r) : 0.0;
 #endif
@@ -276,7 +285,7 @@ Surface of_break(Surface face, float wet, float u) {
 // `edge`: metres inside it.
 vec3 section_color(float u, out float edge) {
   float rho = length(position.xz), t = position.y / height;
-  float outer = outer_at(u, t), inner = inner_at(u, t);
+  float outer = outside_at(u, t), inner = inner_at(u, t);
   edge = min(outer - rho, position.y);
   float depth = lip_depth(u);
   float top = height - depth + lip_rise(depth, inner, outer, rho);

@@ -1,9 +1,24 @@
 // A pot's decoration (coat_texture.h), in front of clay.glsl.
 
+uniform sampler2D coat_rows;  // by share of the height: row of the outer and of the inner wall
+#if PART == 0 || PART == 4
+uniform sampler2D beads;  // how far clay stands out of the outside, of
+uniform float most_bead;  // metres
+#endif
+
+vec2 rows_of(float t) {
+  float n = float(textureSize(coat_rows, 0).x);
+  return between(coat_rows, (t * (n - 1.0) + 0.5) / n, 0.5).rg;
+}
+#if PART == 0 || PART == 4
+float bead_at(float u, float t) {
+  return most_bead * textureLod(beads, vec2(u, rows_of(t).x), 0.0).r;
+}
+#endif
+
 #ifdef FRAGMENT
 uniform sampler2D paint;      // root of the light times its cover, cover
 uniform sampler2D form;       // slopes along and round, depth, own glaze or polish
-uniform sampler2D coat_rows;  // by share of the height: row of the outer and of the inner wall
 uniform vec2 floor_rows;      // of the floor, from the wall to where it ends,
 uniform float floor_ends;     // metres from the axis
 uniform float coat_level;     // of the textures
@@ -37,11 +52,6 @@ void read_coat(vec2 at) {
   }
   painted /= places, shaped /= places;
 #endif
-}
-
-vec2 rows_of(float t) {
-  float n = float(textureSize(coat_rows, 0).x);
-  return between(coat_rows, (t * (n - 1.0) + 0.5) / n, 0.5).rg;
 }
 
 // Way over the lip from a face to `x` inside it. Its edge is round.

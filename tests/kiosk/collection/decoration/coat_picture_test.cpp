@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -173,6 +174,29 @@ TEST(CoatPicture, ACutIsDeepAndItsFacesSlope) {
 }
 
 // What rounds a coat's thickness to its codes would glitter under the glaze.
+TEST(CoatPicture, ACoilStandsOutAndACutAndTheLipDoNot) {
+  Pot pot;
+  const auto most = [&](double along) {
+    const auto row = static_cast<std::size_t>(std::lround(along * 4000)) / CoatPicture::kBeadRows;
+    constexpr std::size_t kAcross = kSectors / CoatPicture::kBeadColumns;
+    const auto from = pot.picture.beads().begin() + static_cast<std::ptrdiff_t>(row * kAcross);
+    return CoatPicture::kBeadUnit * *std::max_element(from, from + kAcross);
+  };
+  ASSERT_TRUE(surface::apply(pot.surface, ring(pot.surface, surface::CutDef{}, 0.1)));
+  pot.draw();
+  EXPECT_EQ(std::ranges::count(pot.picture.beads(), 0), std::ssize(pot.picture.beads()));
+  const double lip = pot.picture.lip_from() * static_cast<float>(pot.picture.height()) / 4000;
+  for (const double along : {0.06, lip})
+    ASSERT_TRUE(surface::apply(
+        pot.surface, ring(pot.surface, surface::CoilDef{.width = 0.01, .height = 0.003}, along)));
+  pot.draw();
+  EXPECT_GT(most(0.06), 2700);
+  EXPECT_LE(most(0.06), 3000);
+  EXPECT_EQ(most(0.07), 0);
+  EXPECT_EQ(most(lip), 0);
+  EXPECT_GT(most(lip - 0.003), 0);
+}
+
 TEST(CoatPicture, ACoatLaidThriceIsSmooth) {
   Pot pot;
   surface::BrushDef flood;

@@ -314,6 +314,39 @@ TEST_F(Decorated, TheSurfaceIsReadOffWithItsPaint) {
   EXPECT_GT(painted, 1000);
 }
 
+/// Where the pot begins in a line of the picture, from the left, pixels.
+int left_edge(const view::Image& image, int line) {
+  for (int x = 1; x < image.width; ++x)
+    if (std::abs(pixel_at(image, x, line).r - pixel_at(image, x - 1, line).r) > 12) return x;
+  return image.width;
+}
+
+TEST_F(Decorated, ACoilMovesTheOutlineByItsHeightAndOnlyThere) {
+  DecoratedJar pot(kTall, 0.0);
+  const view::Frame frame = frame_of(view::Finish::clay);
+  const view::Image plain = bare(pot, frame);
+  pot.lay(pot.ring(surface::CoilDef{.width = 0.01, .height = 0.003, .press = 0.0}, 0.5));
+  const view::Image with = show(pot, frame, false);
+  keep_for_looking(with, "coil");
+  const view::Camera& camera = frame.pot->camera;
+  const Vec3 eye = camera.eye();
+  const auto side = [&](double r, double y) {
+    const double away = std::hypot(eye.x, eye.z), turned = std::acos(r / away),
+                 angle = std::atan2(eye.z, eye.x) + turned;
+    return *camera.project({r * std::cos(angle), y, r * std::sin(angle)});
+  };
+  const auto line = [&](double share) {
+    const double y = share * kTall;
+    return static_cast<int>(side(pot.profile.outer_at(y), y).second);
+  };
+  const double y = 0.5 * kTall, r = pot.profile.outer_at(y);
+  const double wanted = side(r, y).first - side(r + 0.003, y).first;
+  ASSERT_GT(wanted, 5.0);
+  EXPECT_NEAR(left_edge(plain, line(0.5)) - left_edge(with, line(0.5)), wanted, 1.5);
+  for (const double share : {0.2, 0.4, 0.6, 0.8})
+    EXPECT_NEAR(left_edge(plain, line(share)), left_edge(with, line(share)), 1) << share;
+}
+
 TEST_F(Decorated, AnUndecoratedPotAfterADecoratedOneHasItsVeryBytes) {
   DecoratedJar pot;
   pot.lay(pot.ring(brush_of(0, 0.02), 0.6));
@@ -338,7 +371,7 @@ TEST_F(Decorated, OnlyTilesThatHaveChangedAreUploaded) {
   };
   const auto tiles =
       static_cast<std::uint64_t>(pot.picture.tiles_down() * pot.picture.tiles_across());
-  EXPECT_EQ(sent(), tiles * kTileBytes + 512 * 2 * 4) << "all of it, and the table";
+  EXPECT_EQ(sent(), tiles * kTileBytes + 512 * 2 * 4 + 1) << "all of it, the table, and no bead";
   EXPECT_EQ(sent(), 0u);
   pot.picture.touch(70, 80, 70, 80);
   pot.picture.touch(70, 80, 190, 200);

@@ -10,6 +10,7 @@
 #include "kiosk/picture/render/canvas.h"
 #include "kiosk/picture/render/items.h"
 #include "kiosk/picture/render/stage.h"
+#include "tests/kiosk/picture/render/decorated_jar.h"
 #include "tests/kiosk/picture/render/studio_fixture.h"
 
 namespace onggi::render::testing {
@@ -243,6 +244,20 @@ TEST_F(AnEdge, OfAPaintedGlazeIsSmooth) {
   frame.pot->glazing.look.band_height = 0.6f;
   frame.pot->glazing.look.band_width = 0.05f;
   expect_smooth(frame, "glazed_jar", {{{0.45, 0.001}, {0.30, 0.001}}});
+}
+
+TEST_F(AnEdge, OfAJarWithACoilIsSmooth) {
+  if (renderer().status().embedded) GTEST_SKIP() << "OpenGL ES reads no depth back";
+  DecoratedJar pot(0.18, 0.0);
+  for (const double share : {0.35, 0.6})
+    pot.lay(pot.ring(surface::CoilDef{.width = 0.008, .height = 0.003, .press = 0.3}, share));
+  stage_->clay().show(pot.clay);
+  stage_->coat().show(pot.draw(false));
+  reference_.clear();
+  view::Frame frame = frame_with_pot(kEdgesWide, kEdgesTall, 0.18, 0.07);
+  frame.pot->wheel = false;
+  expect_smooth(frame, "coil", {{{0.42, 0.0005}, {0.26, 0.0005}}});
+  stage_->coat().show(nullptr);
 }
 
 TEST_F(AnEdge, OfATornJarIsSmooth) {

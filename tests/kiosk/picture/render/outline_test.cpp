@@ -31,7 +31,7 @@ Outlined outlined(double cut_away) {
   const double quarter = 0.5 * 3.14159265358979;
   const WallMesh wall{60, 96, 96, static_cast<float>(quarter - shown.frame.pot->camera.azimuth),
                       static_cast<float>(quarter * (4.0 - cut_away))};
-  shown.ribbons = outline_of(clay, wall, *shown.frame.pot, projection * view, 3.0f);
+  shown.ribbons = outline_of(clay, CoatTexture{}, wall, *shown.frame.pot, projection * view, 3.0f);
   return shown;
 }
 
