@@ -99,6 +99,8 @@ TypeScale type_scale(const settings::Exhibit::Screen& screen, int width, int hei
     // Small text becomes unreadable first. Titles are large, so they give up their space.
     t.body *= kLarger;
     t.lead = std::max(t.lead, t.body * kLeadOfLarger);
+    t.title = std::max(t.title, t.lead);
+    t.display = std::max(t.display, t.title);
   }
   // On a strip of a wall-sized screen, a tenth of the short side is less than 28 pixels.
   t.target = static_cast<float>(std::min(std::max(15.0 * px_per_mm, 28.0), short_side / 10.0));

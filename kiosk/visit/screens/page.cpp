@@ -17,13 +17,15 @@ namespace {
 // Pango rounds to its own units. A line measured to the pixel must not break because of that.
 constexpr float kSlack = 4.0f;
 constexpr float kButtonLine = 1.2f;
+// Titles of Arabic are in Naskh, whose letters are 0.87 to 0.93 of the other faces' at one size.
+constexpr float kNaskh = 1.12f;
 constexpr float kTint = 0.12f;  // of cobalt, on a choice that is on
 }  // namespace
 
 view::TextStyle Page::style(Face face, float px, Align align) const {
   view::TextStyle s;
   s.face = face;
-  s.px = px;
+  s.px = px * (face == Face::serif && sheet_.language == "ar" ? kNaskh : 1.0f);
   s.align = align;
   s.line_height = face == Face::serif ? 1.22f : 1.4f;
   s.language = sheet_.language;

@@ -36,6 +36,19 @@ TEST(Layout, NorForLeftHands) {
 TEST(Layout, NorForWhoeverNeedsLargerText) {
   check_all([](settings::Exhibit::Screen& screen) { screen.larger_text = true; });
 }
+TEST(Layout, ATitleIsNeverSmallerThanTheWordsBelowIt) {
+  for (const auto& [width, height] : kSizes)
+    for (const bool larger : {false, true})
+      for (int step = 0; step <= kLastGiveWay; ++step) {
+        settings::Exhibit::Screen screen;
+        screen.larger_text = larger;
+        const TypeScale t = type_scale(screen, width, height, give_way(step, false));
+        EXPECT_GT(t.lead, t.body) << width << ", step " << step;
+        EXPECT_GE(t.title, t.lead) << width << ", step " << step;
+        EXPECT_GE(t.display, t.title) << width << ", step " << step;
+      }
+}
+
 TEST(Layout, NorWithAllThatAVisitorMayChooseAtOnce) {
   check_all([](settings::Exhibit::Screen& screen) {
     screen.lower_edge_mm = 1000;  // of a landscape screen the upper quarter is out of reach
