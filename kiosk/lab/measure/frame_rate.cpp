@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kOpening = 120.0, kWarmUp = 3.0, kReachedBy = 60.0, kComesAbout = 15.0;  // s
 constexpr double kCompared = 1.0;  // s between comparisons
+constexpr int kDecoratedPairs = 60;
 
 Problem closed() { return {"the window", "It was closed.", "Leave it open.", 1}; }
 
@@ -234,9 +235,14 @@ Result<FrameRateReport> measure_frames(const FrameRatePlan& plan, std::FILE* pro
   if (!display) return tl::unexpected(display.error());
   FrameRateReport report;
   for (const auto& size : plan.sizes) {
-    if (!plan.only_loads)
+    if (!plan.only_loads) {
       if (auto good = time_size(plan, size, report, progress); !good)
         return tl::unexpected(good.error());
+      std::fprintf(progress, "%d x %d: decorated pots\n", size.first, size.second);
+      auto decorated = measure_decorated(plan.config, size, kDecoratedPairs);
+      if (!decorated) return tl::unexpected(decorated.error());
+      report.decorated.insert(report.decorated.end(), decorated->begin(), decorated->end());
+    }
     std::fprintf(progress, "%d x %d: counting\n", size.first, size.second);
     FrameLoadPlan load;
     load.config = plan.config;
@@ -249,7 +255,8 @@ Result<FrameRateReport> measure_frames(const FrameRatePlan& plan, std::FILE* pro
 }
 
 files::Json json_of(const FrameRateReport& report) {
-  files::Json rows = files::Json::list(), delays = files::Json::list(), loads = files::Json::list();
+  files::Json rows = files::Json::list(), delays = files::Json::list(), loads = files::Json::list(),
+              decorated = files::Json::list();
   const auto size_of = [](const auto& of) {
     return std::to_string(of.width) + "x" + std::to_string(of.height);
   };
@@ -270,11 +277,13 @@ files::Json json_of(const FrameRateReport& report) {
     if (delay.drag_frames) one["drag_frames"] = *delay.drag_frames;
     delays.push_back(one);
   }
+  for (const DecoratedFrames& row : report.decorated) decorated.push_back(json_of(row));
   for (const FrameLoad& load : report.loads) loads.push_back(json_of(load));
   return files::Json::object({{"device", report.device},
                               {"software", report.software},
                               {"rows", rows},
                               {"delays", delays},
+                              {"decorated", decorated},
                               {"loads", loads}});
 }
 
@@ -305,7 +314,7 @@ std::string text_of(const FrameRateReport& report) {
       text += "; a drag is on the screen in frame " + std::to_string(*delay.drag_frames);
     text += ".\n";
   }
-  return text + text_of(report.loads);
+  return text + text_of(report.decorated) + text_of(report.loads);
 }
 
 drawing::Plot plot_of(const FrameRateReport& report) {

@@ -9,6 +9,7 @@
 
 #include "engine/base/result.h"
 #include "kiosk/ground/files/json.h"
+#include "kiosk/lab/measure/decorated_frames.h"
 #include "kiosk/lab/measure/frame_load.h"
 #include "kiosk/picture/drawing/plot.h"
 
@@ -46,13 +47,15 @@ struct FrameRateReport {
   bool software = false;
   std::vector<FrameRateRow> rows;
   std::vector<FrameDelays> delays;
+  std::vector<DecoratedFrames> decorated;
   std::vector<FrameLoad> loads;
 };
 
 /// Opens the exhibit in a window of each size (on a virtual display if there is none), lets attract
 /// play, throws like a naive visitor, then releases and stops the wheel. Pictures are compared once
-/// a second; frames around a comparison are not counted. Then counts the graphics work of a frame.
-/// Prints progress to `progress`. Main thread; blocks for about 2 x `seconds` + 60 s a size.
+/// a second; frames around a comparison are not counted. Then measures decorated pots, and counts
+/// the graphics work of a frame. Prints progress to `progress`. Main thread; blocks for about
+/// 2 x `seconds` + 120 s a size.
 Result<FrameRateReport> measure_frames(const FrameRatePlan& plan, std::FILE* progress);
 
 files::Json json_of(const FrameRateReport& report);
