@@ -356,14 +356,11 @@ std::vector<view::SkinPoint> Stage::read_skin(const ClayMesh& mesh,
   });
 }
 
-Stage::DrawnWall Stage::drawn_wall(const view::PotView& pot, float pixel) const {
+Stage::DrawnWall Stage::drawn_wall(const view::PotView& pot, float pixel, bool fine) const {
   const Vec3 eye = (1.0 / static_cast<double>(size_of(pot))) * pot.camera.eye();
   std::size_t size = fine_enough(kWalls, static_cast<float>(clay_.height()) / pixel);
-  double facing = clay_.facing(eye);
-  if (coat_.has_beads()) {
-    size = std::min(size + 1, kWalls.size() - 1);
-    facing += kBeadsSeen;
-  }
+  if (fine && coat_.has_beads()) size = std::min(size + 1, kWalls.size() - 1);
+  const double facing = clay_.facing(eye) + (coat_.has_beads() ? kBeadsSeen : 0.0);
   const float front = front_of(pot.camera);
   if (pot.cut_away <= 0.001 && facing <= kFacing) {
     // Skip parts that face away: the hidden gap of a cut-away.
@@ -382,7 +379,7 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
     return program;
   };
   const Vec3 eye = (1.0 / static_cast<double>(size_of(pot))) * pot.camera.eye();
-  const DrawnWall wall = drawn_wall(pot, pixel);
+  const DrawnWall wall = drawn_wall(pot, pixel, whole_frame);
   const Program& outside = use(0);
   outside.set("open_from", wall.open_from);
   outside.set("open_angle", wall.open_angle);

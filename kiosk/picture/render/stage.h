@@ -79,13 +79,14 @@ class Stage {
   Stage() = default;
   void set_light(const Program& program, const view::Camera& camera, const Texture& levels);
   void draw_wheel(const view::PotView& pot, const glm::mat4& clip, float pixel);
-  /// The outer wall's mesh for this picture: all round, or the part that faces the eye.
+  /// The outer wall's mesh for this picture: all round, or the part that faces the eye. `fine`: no
+  /// ribbon smooths its outline, so beads have a finer one.
   struct DrawnWall {
     std::size_t size = 0;
     bool facing = false;
     float open_from = 0, open_angle = 0;
   };
-  DrawnWall drawn_wall(const view::PotView& pot, float pixel) const;
+  DrawnWall drawn_wall(const view::PotView& pot, float pixel, bool fine = false) const;
   void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft,
                  bool whole_frame);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);

@@ -256,7 +256,7 @@ TEST_F(AnEdge, OfAJarWithACoilIsSmooth) {
   reference_.clear();
   view::Frame frame = frame_with_pot(kEdgesWide, kEdgesTall, 0.18, 0.07);
   frame.pot->wheel = false;
-  expect_smooth(frame, "coil", {{{0.42, 0.0005}, {0.26, 0.0005}}});
+  expect_smooth(frame, "coil", {{{0.47, 0.0005}, {0.28, 0.0005}}});
   stage_->coat().show(nullptr);
 }
 
