@@ -11,6 +11,7 @@ namespace onggi::decoration {
 namespace {
 
 constexpr int kLinks = 8;
+constexpr double kFarthest = 1000.0;  // units of a figure
 
 /// The way's direction at point n: along its neighbours, and nowhere at a corner or an end.
 Vec2 tangent(const std::vector<toml::OutlinePoint>& points, std::size_t n, bool closed) {
@@ -56,7 +57,13 @@ std::vector<Motif::Drawn::Way> read_ways(toml::TomlReader::Table& motif, const c
                        "Give more points, or fewer.");
       } else {
         for (toml::OutlinePoint& p : points) p.corner = p.corner || !round;
-        if (is_nothing(smooth(points, closed), closed))
+        const bool far = std::any_of(points.begin(), points.end(), [](const toml::OutlinePoint& p) {
+          return std::max(std::abs(p.radius), std::abs(p.height)) > kFarthest;
+        });
+        if (far)
+          table.complain("points", "a point lies farther than 1000 units from the middle.",
+                         "Draw the figure about 1 unit high, and set its size where it is used.");
+        else if (is_nothing(smooth(points, closed), closed))
           table.complain("points",
                          closed ? "the area has no width: its points lie on one line."
                                 : "the line has no length: its points lie on one place.",

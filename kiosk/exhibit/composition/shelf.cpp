@@ -72,7 +72,8 @@ void Shelf::take(double now) {
   }
   complete_ = arrivals_.over();
   if (complete_)
-    files::log_line("The shelf holds " + std::to_string(cards_.size()) + " vessels; " +
+    files::log_line("The shelf holds " + std::to_string(cards_.size()) +
+                    (cards_.size() == 1 ? " vessel; " : " vessels; ") +
                     std::to_string(problems_.size()) + " could not be used.");
 }
 

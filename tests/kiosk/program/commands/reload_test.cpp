@@ -69,7 +69,7 @@ class OpenSite {
 TEST(Reload, AVesselPutOnTheShelfIsShownAndABrokenExhibitLeavesTheOldOneOpenAndSaysSo) {
   OpenSite site;
   if (!site.has_display()) GTEST_SKIP() << "no display, and Xvfb is not installed";
-  ASSERT_TRUE(site.says("The shelf holds 1 vessels")) << site.log();
+  ASSERT_TRUE(site.says("The shelf holds 1 vessel;")) << site.log();
   ASSERT_TRUE(site.says("Watching for changes of the exhibit")) << site.log();
 
   site.add_vessel("moon_jar");
