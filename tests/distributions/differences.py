@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Which tests ran in one of two ctest reports (--output-junit) and not in the other. Exit 1 where the second lacks one of the first.
+A report may have FIRST.txt beside it: what ONGGI_TESTS_RAN wrote, a line for each test of a program.
 
 usage: differences.py FIRST.xml SECOND.xml
 """
@@ -10,9 +11,14 @@ import xml.etree.ElementTree
 
 
 def ran(path):
-    """Names of the tests that ran, without what a parameter is printed as."""
+    """Names of the tests that ran."""
     cases = xml.etree.ElementTree.parse(path).getroot().iter("testcase")
-    return {case.get("name").split("  # ")[0] for case in cases if case.get("status") in ("run", "fail")}
+    names = {case.get("name") for case in cases if case.get("status") in ("run", "fail")}
+    lines = os.path.splitext(path)[0] + ".txt"
+    if os.path.isfile(lines):
+        with open(lines, encoding="utf-8") as file:
+            names |= {line.split()[1] for line in file if line.startswith("ran ")}
+    return names
 
 
 def main():

@@ -9,8 +9,8 @@ import subprocess
 import sys
 import tempfile
 
-TELLING = "Gallery.AVase*:Gallery.EveryGlaze*:Gallery.ABowl*:Torn.TearsInAllSkins*:AHand.EveryToolAtTheWall"
-EVERY = "Gallery.*:KilnLook.*:Torn.*:AHand.*:AVessel.*:AFrame.*:APaintedPortrait.*:APortrait.*"
+TELLING = "Gallery.AVase*:Gallery.EveryGlaze*:Gallery.ABowl*:Torn.TearsInAllSkins*:AHand.EveryToolAtTheWall:Decorated.ACoil*:Decorated.SlipThat*"
+EVERY = "Gallery.*:KilnLook.*:Torn.*:AHand.*:AVessel.*:AFrame.*:APaintedPortrait.*:APortrait.*:Decorated.*"
 
 
 def draw(program, pictures, **environment):

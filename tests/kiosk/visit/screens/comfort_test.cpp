@@ -308,5 +308,27 @@ TEST(Comfort, LowReachIsNoChoiceWhereAllOfTheScreenIsInReach) {
   EXPECT_TRUE(v.visit->control("comfort.low_reach"));
 }
 
+TEST(Comfort, WhereLargerTextLeavesNoRoomTheChoiceThatWasSwitchedLastIsExplained) {
+  Visitor v;
+  v.show();
+  const auto says = [&](const char* key) {
+    const std::string words = v.languages.front().say(key);
+    return words_in(v.frame).find(words) != std::string::npos;
+  };
+  v.touch("comfort");
+  v.frames(1);
+  EXPECT_TRUE(says("comfort.lead"));
+  EXPECT_TRUE(says("comfort.reduced_motion_is")) << "there is room for all";
+  v.touch("comfort.larger_text");
+  v.frames(1);
+  EXPECT_TRUE(says("comfort.larger_text_is"));
+  EXPECT_FALSE(says("comfort.reduced_motion_is"));
+  EXPECT_FALSE(says("comfort.lead"));
+  v.touch("comfort.reduced_motion");
+  v.frames(1);
+  EXPECT_TRUE(says("comfort.reduced_motion_is"));
+  EXPECT_FALSE(says("comfort.larger_text_is"));
+}
+
 }  // namespace
 }  // namespace onggi::screens
