@@ -50,6 +50,7 @@ class Comfort {
     for (std::size_t i = 0; i < kChoices.size(); ++i) {
       if (control != std::string("comfort.") + kChoices[i].name) continue;
       chosen_[i] = !(now.*kChoices[i].of);
+      last_ = kChoices[i].name;
       return true;
     }
     for (int step = 0; step <= kLoudest; ++step)
@@ -59,6 +60,9 @@ class Comfort {
       }
     return false;
   }
+
+  /// Choice::name of the choice that was switched last; null: none was.
+  const char* last() const { return last_; }
 
   static constexpr const char *kFaster = "comfort.faster", *kSlower = "comfort.slower";
   /// The switch speeds to choose from, s.
@@ -74,6 +78,7 @@ class Comfort {
   double pace_ = 0;  ///< 0: the exhibit's value.
   std::array<std::optional<bool>, kChoices.size()> chosen_{};
   std::optional<int> volume_;
+  const char* last_ = nullptr;
 };
 
 }  // namespace onggi::screens

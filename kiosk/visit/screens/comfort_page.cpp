@@ -105,7 +105,7 @@ class ChoiceRow {
       : page_(page),
         id_(id),
         name_(desk.say(id_)),
-        does_(explained ? desk.say(id_ + "_is") : std::string()),
+        does_(desk.say(id_ + "_is")),
         name_style_(page.style(Face::sans, page.type().body)),
         does_style_(page.style(Face::sans, page.type().body)),
         right_to_left_(desk.words().right_to_left()) {
@@ -162,6 +162,51 @@ class ChoiceRow {
   float text_width_ = 0, name_height_ = 0, does_height_ = 0, height_ = 0;
 };
 
+/// The choices as they fit into a room.
+struct ChoiceLines {
+  std::vector<ChoiceRow> rows;
+  std::vector<float> heights;  ///< Of the lines.
+  float between = 0, all = 0, width = 0, aside = 0;
+  int abreast = 1;
+  bool explained = false, fits = false;
+};
+
+/// If names and explanations do not fit, only the names are shown: they are enough, and stay
+/// legible.
+ChoiceLines lines_in(Page& page, const Desk& desk, const Rect& room) {
+  const TypeScale& t = page.type();
+  ChoiceLines out;
+  out.aside = t.body * 2.5f;
+  out.abreast = room.w > t.body * kTwoAbreast ? 2 : 1;
+  out.width = out.abreast == 2 ? (room.w - out.aside) / 2 : room.w;
+  const std::vector<Comfort::Choice> choices = offered(page, desk);
+  const bool sound = desk.world.exhibit->sound.volume > 0;
+  const auto lines =
+      (choices.size() + (sound ? 1 : 0) + static_cast<std::size_t>(out.abreast) - 1) /
+      static_cast<std::size_t>(out.abreast);
+  for (const auto& [explained, air] : {std::pair(true, 1.6f), {false, 1.6f}, {false, 0.5f}}) {
+    out.explained = explained;
+    out.between = air * t.gap;
+    out.rows.clear();
+    for (const Comfort::Choice& choice : choices)
+      out.rows.emplace_back(page, desk, control_of(choice), desk.screen().*choice.of, out.width,
+                            explained);
+    if (sound)
+      out.rows.emplace_back(page, desk, "comfort.volume", std::nullopt, out.width, explained);
+    out.heights.assign(lines, t.target);
+    bool narrow = false;
+    for (std::size_t i = 0; i < out.rows.size(); ++i) {
+      out.heights[i % lines] = std::max(out.heights[i % lines], out.rows[i].height());
+      narrow = narrow || out.rows[i].too_wide();
+    }
+    out.all = std::accumulate(out.heights.begin(), out.heights.end(),
+                              out.between * static_cast<float>(lines - 1));
+    out.fits = !narrow && out.all <= room.h;
+    if (out.fits) break;
+  }
+  return out;
+}
+
 }  // namespace
 
 void lay_out_comfort(Page& page, const Desk& desk) {
@@ -178,47 +223,37 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   column.foot_buttons(foot);
   column.foot_space(t.gap * 2);
   column.text(desk.say("comfort.title"), t.title, Face::serif);
-  column.text(desk.say("comfort.lead"), t.body, Face::sans, view::kFaintInk);
-  column.space(t.gap * 1.5f);
 
+  const float below = t.gap * 1.5f;
+  const auto room_under = [&](const std::string& words) {
+    Column under = column;
+    under.space(column.height_of(words, t.body) + below);
+    under.into_reach();
+    return under.rest();
+  };
+  std::string lead = desk.say("comfort.lead");
+  ChoiceLines lines = lines_in(page, desk, room_under(lead));
+  // Where no choice has room for its explanation, the one that was switched last is explained.
+  if (!lines.explained && desk.comfort.last() != nullptr) {
+    const std::string does = desk.say(std::string("comfort.") + desk.comfort.last() + "_is");
+    ChoiceLines under = lines_in(page, desk, room_under(does));
+    if (under.fits) lead = does, lines = std::move(under);
+  }
+  if (!lines.fits) page.overflowed();
+  column.text(lead, t.body, Face::sans, view::kFaintInk);
+  column.space(below);
   column.into_reach();
   const Rect rest = column.rest();
-  const float aside = t.body * 2.5f;
-  const int abreast = rest.w > t.body * kTwoAbreast ? 2 : 1;
-  const float width = abreast == 2 ? (rest.w - aside) / 2 : rest.w;
-  float between = t.gap * 1.6f;
-  const std::vector<Comfort::Choice> choices = offered(page, desk);
-  const bool sound = desk.world.exhibit->sound.volume > 0;
-  const auto lines = (choices.size() + (sound ? 1 : 0) + static_cast<std::size_t>(abreast) - 1) /
-                     static_cast<std::size_t>(abreast);
-  std::vector<ChoiceRow> rows;
-  std::vector<float> heights;  // of the lines
-  float all = 0;
-  // If names and explanations do not fit, show only the names. They are enough, and stay legible.
-  for (const auto& [explained, air] : {std::pair(true, 1.6f), {false, 1.6f}, {false, 0.5f}}) {
-    between = air * t.gap;
-    rows.clear();
-    for (const Comfort::Choice& choice : choices)
-      rows.emplace_back(page, desk, control_of(choice), desk.screen().*choice.of, width, explained);
-    if (sound) rows.emplace_back(page, desk, "comfort.volume", std::nullopt, width, explained);
-    heights.assign(lines, t.target);
-    bool fits = true;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      heights[i % lines] = std::max(heights[i % lines], rows[i].height());
-      fits = fits && !rows[i].too_wide();
-    }
-    all = std::accumulate(heights.begin(), heights.end(), between * static_cast<float>(lines - 1));
-    if (fits && all <= rest.h) break;
-    if (air < 1) page.overflowed();
-  }
   // From the foot up: visitors with low reach need these choices most.
-  float y = rest.y + rest.h - all;
-  for (std::size_t line = 0; line < lines; ++line) {
-    for (std::size_t i = line; i < rows.size(); i += lines) {
-      const bool far = (i >= lines) != (abreast == 2 && desk.words().right_to_left());
-      rows[i].draw({rest.x + (far ? width + aside : 0), y, width, heights[line]});
+  float y = rest.y + rest.h - lines.all;
+  const std::size_t count = lines.heights.size();
+  for (std::size_t line = 0; line < count; ++line) {
+    for (std::size_t i = line; i < lines.rows.size(); i += count) {
+      const bool far = (i >= count) != (lines.abreast == 2 && desk.words().right_to_left());
+      lines.rows[i].draw(
+          {rest.x + (far ? lines.width + lines.aside : 0), y, lines.width, lines.heights[line]});
     }
-    y += heights[line] + between;
+    y += lines.heights[line] + lines.between;
   }
 }
 

@@ -265,11 +265,19 @@ void Page::focus_ring(const Rect& rect) {
                  view::kInk});
 }
 
+float Column::line_width(float px) const {
+  return std::min(box_.w, px * 0.52f * 55.0f);  // 55 characters of about half an em
+}
+
+float Column::height_of(const std::string& words, float px) const {
+  if (words.empty()) return 0;
+  return page_.size(words, page_.style(Face::sans, px), line_width(px)).height;
+}
+
 void Column::text(const std::string& words, float px, Face face, Color color, Align align) {
   if (words.empty()) return;
   const auto style = page_.style(face, px, align);
-  // 55 characters of about half an em.
-  const float width = std::min(box_.w, px * 0.52f * 55.0f);
+  const float width = line_width(px);
   const auto size = page_.size(words, style, width);
   if (size.width > width + 1) page_.overflowed();
   page_.words({turned(box_.x, width), top_, width, size.height}, words, style, color);

@@ -147,6 +147,8 @@ class Column {
   /// A paragraph, at most 55 characters wide.
   void text(const std::string& words, float px, view::Face face = view::Face::sans,
             view::Color color = view::kInk, view::Align align = view::Align::start);
+  /// Of such a paragraph, in the face for running text.
+  float height_of(const std::string& words, float px) const;
   /// Buttons side by side, in several rows if needed. `caption`, in second rank, comes before the
   /// first in a column of `caption_width`.
   void buttons(const std::vector<Button>& row, const std::string& caption = {},
@@ -173,6 +175,7 @@ class Column {
     Button button;
     view::Rect rect;
   };
+  float line_width(float px) const;
   /// Rows for `row` from y = 0, between x = indent and x = end; returns their height.
   float flow(const std::vector<Button>& row, float indent, float end,
              std::vector<Placed>& placed) const;

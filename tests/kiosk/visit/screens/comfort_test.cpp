@@ -308,26 +308,29 @@ TEST(Comfort, LowReachIsNoChoiceWhereAllOfTheScreenIsInReach) {
   EXPECT_TRUE(v.visit->control("comfort.low_reach"));
 }
 
-TEST(Comfort, WhereLargerTextLeavesNoRoomTheChoiceThatWasSwitchedLastIsExplained) {
-  Visitor v;
-  v.show();
-  const auto says = [&](const char* key) {
-    const std::string words = v.languages.front().say(key);
-    return words_in(v.frame).find(words) != std::string::npos;
-  };
-  v.touch("comfort");
-  v.frames(1);
-  EXPECT_TRUE(says("comfort.lead"));
-  EXPECT_TRUE(says("comfort.reduced_motion_is")) << "there is room for all";
-  v.touch("comfort.larger_text");
-  v.frames(1);
-  EXPECT_TRUE(says("comfort.larger_text_is"));
-  EXPECT_FALSE(says("comfort.reduced_motion_is"));
-  EXPECT_FALSE(says("comfort.lead"));
-  v.touch("comfort.reduced_motion");
-  v.frames(1);
-  EXPECT_TRUE(says("comfort.reduced_motion_is"));
-  EXPECT_FALSE(says("comfort.larger_text_is"));
+TEST(Comfort, WhereNoChoiceHasRoomForItsExplanationTheOneThatWasSwitchedLastIsExplained) {
+  for (const bool room : {true, false}) {
+    Visitor v = room ? portrait(1) : Visitor(1);
+    const auto says = [&](const char* key) {
+      return words_in(v.frame).find(v.languages.front().say(key)) != std::string::npos;
+    };
+    const auto choose = [&](const char* control) {
+      v.touch(control);
+      v.frames(1);
+    };
+    v.show();
+    choose("comfort");
+    EXPECT_TRUE(says("comfort.lead"));
+    EXPECT_EQ(says("comfort.reduced_motion_is"), room);
+    choose(room ? "comfort.reduced_motion" : "comfort.larger_text");
+    EXPECT_EQ(says("comfort.lead"), room);
+    EXPECT_TRUE(says("comfort.larger_text_is"));
+    EXPECT_EQ(says("comfort.reduced_motion_is"), room);
+    if (room) continue;
+    choose("comfort.reduced_motion");
+    EXPECT_TRUE(says("comfort.reduced_motion_is"));
+    EXPECT_FALSE(says("comfort.larger_text_is"));
+  }
 }
 
 }  // namespace
