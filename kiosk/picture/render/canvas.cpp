@@ -181,15 +181,19 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
   Stage& stage = with.stage;
   turn_to(frame, with);
   paint_plaster(with, frame);
+  // What stays looks as it was drawn.
+  const double opening = space == Space::keep && frame_.pot ? frame_.pot->cut_away : -1.0;
   frame_ = frame;
   painted_ = true;
 
-  if (frame.pot && (space == Space::draw || !of_ground_)) {
-    stage.prepare(*frame.pot, quality);
-    solid_ = reach_of(*frame.pot, stage.clay().height(), stage.clay().max_radius(), frame.width,
+  if (frame_.pot && (space == Space::draw || !of_ground_)) {
+    view::PotView& pot = *frame_.pot;
+    if (quality.samples == 0) pot.cut_away = stage.shown_opening(pot, scale);
+    stage.prepare(pot, quality);
+    solid_ = reach_of(pot, stage.clay().height(), stage.clay().max_radius(), frame.width,
                       frame.height, Reach::solid);
-    if (frame.pot->beside) solid_ = around(solid_, reach_of_vessel(stage, frame));
-    paint_ground(stage, *frame.pot);
+    if (pot.beside) solid_ = around(solid_, reach_of_vessel(stage, frame_));
+    paint_ground(stage, pot);
     // Nothing outside can change, so nothing outside is cleared or composed.
     glEnable(GL_SCISSOR_TEST);
     const auto s = static_cast<float>(scale);
@@ -197,8 +201,10 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
               static_cast<int>((static_cast<float>(frame.height) - solid_.y - solid_.h) * s),
               static_cast<int>(std::ceil(solid_.w * s)) + 1,
               static_cast<int>(std::ceil(solid_.h * s)) + 1);
-    paint_pot(stage, frame, quality, scale);
+    paint_pot(stage, frame_, quality, scale);
     glDisable(GL_SCISSOR_TEST);
+  } else if (frame_.pot && opening >= 0.0) {
+    frame_.pot->cut_away = opening;
   }
   composed_ = onto == Onto::own;
   compose(composed_ ? kept(picture_).framebuffer() : 0, with);

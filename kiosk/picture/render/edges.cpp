@@ -57,8 +57,12 @@ Result<std::unique_ptr<Edges>> Edges::create() {
 }
 
 void Edges::prepare(const ClaySurface& clay, const CoatTexture& coat, const WallMesh& wall,
-                    const view::PotView& pot, const glm::mat4& clip, double scale) {
-  now_ = outline_of(clay, coat, wall, pot, clip, static_cast<float>(1.0 / scale));
+                    const MeshEdges& vessel, const view::PotView& pot, const glm::mat4& clip,
+                    double scale) {
+  const auto texel = static_cast<float>(1.0 / scale);
+  now_ = outline_of(clay, coat, wall, pot, clip, texel);
+  if (pot.beside) add_mesh_outline(now_, vessel, *pot.beside, texel);
+  put_farthest_first(now_.corners, now_.outlines);
   now_indices_ = now_.outlines;
   now_indices_.insert(now_indices_.end(), now_.creases.begin(), now_.creases.end());
   calls::bind_array(array_.get());

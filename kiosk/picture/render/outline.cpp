@@ -1,26 +1,22 @@
 #include "kiosk/picture/render/outline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/ext/scalar_constants.hpp>
 #include <optional>
 
 #include "kiosk/picture/render/backdrop.h"
+#include "kiosk/picture/render/silhouette.h"
 
 namespace onggi::render {
 namespace {
 
 constexpr float kPi = glm::pi<float>();
 constexpr int kRimCorners = 96;     // as in the wheel head's mesh
-constexpr float kRowsApart = 1.0f;  // pixels between points of the wall's sides, at least
-constexpr float kLeap = 1.5f;       // pixels between two lines of the wall's sides
 constexpr float kOnHead = 0.0003f;  // m: nearer to the eye than the wheel head's plane
-// Metres by which what lies behind an edge is farther, and by which what hides it is nearer.
-constexpr float kBehind = 0.004f, kHides = 0.012f;
-constexpr float kAll = 0.99999f;  // depth of what is drawn at all
-constexpr float kNarrow = 4.0f;   // texels: a narrower lip needs a strip
-constexpr float kCorner = 1.0f;   // texels: less room in the mouth is none
+constexpr float kAll = 0.99999f;    // depth of what is drawn at all
+constexpr float kNarrow = 4.0f;     // texels: a narrower lip needs a strip
+constexpr float kCorner = 1.0f;     // texels: less room in the mouth is none
 
 class Tracer {
  public:
@@ -56,7 +52,6 @@ class Tracer {
       lip();
       if (open_ > 0.001f) section();
     }
-    farthest_first();
     return std::move(out_);
   }
 
@@ -106,9 +101,7 @@ class Tracer {
   }
 
   void wheel_head();
-  void farthest_first();
   void sides();
-  void side_along(const std::vector<std::optional<EdgePoint>>& lines, bool left);
   void foot();
   struct OfLip;
   OfLip lip_at(float turned, float share, float behind) const;
@@ -169,27 +162,13 @@ void Tracer::wheel_head() {
   outline(far_side);
 }
 
-// Where an edge ends at a nearer one, the nearer one's ribbon is the true one.
-void Tracer::farthest_first() {
-  constexpr std::size_t kQuad = 6;
-  std::vector<std::array<std::uint32_t, kQuad>> quads(out_.outlines.size() / kQuad);
-  for (std::size_t i = 0; i < quads.size(); ++i)
-    std::copy_n(&out_.outlines[kQuad * i], kQuad, quads[i].begin());
-  std::stable_sort(quads.begin(), quads.end(), [&](const auto& a, const auto& b) {
-    return out_.corners[a[0]].depths.x > out_.corners[b[0]].depths.x;
-  });
-  for (std::size_t i = 0; i < quads.size(); ++i)
-    std::copy_n(quads[i].begin(), kQuad, &out_.outlines[kQuad * i]);
-}
-
 // The outermost of the drawn mesh on each line of the picture. Its corners, not the clay's rows,
 // say where that is: a row that is out of round or nearly level has no one place where it turns
 // away.
 void Tracer::sides() {
   struct Corner {
-    EdgePoint point;
-    glm::vec3 wall;  // angle from the front, height and radius
-    bool is_end;     // of the part of the circle that is drawn
+    MeshCorner at;  // its own: angle from the front, height and radius
+    bool is_end;    // of the part of the circle that is drawn
   };
   const auto across = static_cast<std::size_t>(wall_.columns) + 1;
   std::vector<Corner> corners;
@@ -205,54 +184,32 @@ void Tracer::sides() {
           std::min(static_cast<float>(kLipRadius), top > 0.0f ? 0.5f * thick : thick);
       const float y = (height_ - deep) * static_cast<float>(j) / static_cast<float>(wall_.rows);
       const float r = outer(turned, y);
-      corners.push_back({clay_at(turned, r, y, kHides + std::sqrt(2.0f * r * size_ * wide)),
-                         {turned, y, r},
-                         i == 0 || i == wall_.columns});
+      corners.push_back(
+          {{clay_at(turned, r, y, kHides + std::sqrt(2.0f * r * size_ * wide)), {turned, y, r}},
+           i == 0 || i == wall_.columns});
     }
 
-  struct Most {
-    EdgePoint point;
-    glm::vec3 wall{0.0f};
-    bool is_side = false;  // not the lip's, the foot's or the opening's edge
-    bool any = false;
-  };
-  std::array<std::vector<Most>, 2> lines;  // to the visitor's left and right
-  for (auto& each : lines) each.resize(static_cast<std::size_t>(frame_.y));
-  const auto top = static_cast<int>(frame_.y) - 1;
-  const auto along = [&](const Corner& one, const Corner& other, bool is_side) {
-    const bool up = one.point.at.y < other.point.at.y;
-    const EdgePoint &a = up ? one.point : other.point, &b = up ? other.point : one.point;
-    const int from = std::max(static_cast<int>(std::ceil(a.at.y - 0.5f)), 0),
-              to = std::min(static_cast<int>(std::floor(b.at.y - 0.5f)), top);
-    for (int line = from; line <= to; ++line) {
-      const float t = (static_cast<float>(line) + 0.5f - a.at.y) / std::max(b.at.y - a.at.y, 1e-6f);
-      const float x = std::lerp(a.at.x, b.at.x, t);
-      for (const std::size_t side : {0u, 1u}) {
-        Most& most = lines[side][static_cast<std::size_t>(line)];
-        if (most.any && (side == 0 ? x >= most.point.at.x : x <= most.point.at.x)) continue;
-        most = {{{x, static_cast<float>(line) + 0.5f}, glm::mix(a.depths, b.depths, t)},
-                glm::mix(up ? one.wall : other.wall, up ? other.wall : one.wall, t),
-                is_side && !(one.is_end && other.is_end),
-                true};
-      }
-    }
+  // No side: the lip's, the foot's or the opening's edge.
+  Silhouette silhouette(Silhouette::By::lines, frame_);
+  const auto take = [&](const Corner& one, const Corner& other, bool is_side) {
+    silhouette.take(one.at, other.at, is_side && !(one.is_end && other.is_end));
   };
   for (std::size_t j = 0; j <= static_cast<std::size_t>(wall_.rows); ++j)
     for (std::size_t i = 0; i < across; ++i) {
       const std::size_t at = j * across + i;
       const bool level_side = j > 0 && j < static_cast<std::size_t>(wall_.rows);
       const bool has_next = i + 1 < across, has_above = j < static_cast<std::size_t>(wall_.rows);
-      if (has_next) along(corners[at], corners[at + 1], level_side);
-      if (has_above) along(corners[at], corners[at + across], true);
-      if (has_next && has_above) along(corners[at], corners[at + across + 1], true);
+      if (has_next) take(corners[at], corners[at + 1], level_side);
+      if (has_above) take(corners[at], corners[at + across], true);
+      if (has_next && has_above) take(corners[at], corners[at + across + 1], true);
     }
 
   for (const std::size_t side : {0u, 1u}) {
     std::vector<std::optional<EdgePoint>> edge;
-    for (Most& most : lines[side]) {
+    for (Silhouette::Most& most : silhouette.most()[side]) {
       // Between its corners the mesh lacks the clay's finer grooves. Where the two are far apart,
       // such as in a step, the mesh is what is seen.
-      const float more = (outer(most.wall.x, most.wall.y) - most.wall.z) * pixels_ / away_;
+      const float more = (outer(most.own.x, most.own.y) - most.own.z) * pixels_ / away_;
       if (std::abs(more) < 0.5f * texel_) most.point.at.x += side == 0 ? -more : more;
       edge.push_back(most.is_side ? std::optional(most.point) : std::nullopt);
     }
@@ -264,42 +221,9 @@ void Tracer::sides() {
       one.x = next.x = std::min(one.x, next.x);
       one.y = next.y = std::max(one.y, next.y);
     }
-    side_along(edge, side == 0);
+    for (const auto& line : lines_through(edge, Silhouette::By::lines, side == 1, AtLeap::joined))
+      outline(line);
   }
-}
-
-// A side of the wall, a point on each line of the picture.
-void Tracer::side_along(const std::vector<std::optional<EdgePoint>>& lines, bool left) {
-  std::vector<EdgePoint> edge;
-  const auto end = [&] {
-    if (left) std::reverse(edge.begin(), edge.end());
-    outline(edge);
-    edge.clear();
-  };
-  // Where another bulge begins to be the outermost, the edge leaps between two lines.
-  const auto across = [&](std::size_t i) {
-    const bool both = i + 1 < lines.size() && lines[i] && lines[i + 1];
-    return both ? std::abs(lines[i + 1]->at.x - lines[i]->at.x) : 0.0f;
-  };
-  const auto leaps = [&](std::size_t i) {
-    const float before = i > 0 ? across(i - 1) : 0.0f, after = across(i + 1);
-    return across(i) > kLeap && std::max(before, after) < 0.4f * across(i);
-  };
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i]) {
-      const bool last_of_all = i + 1 == lines.size() || !lines[i + 1];
-      if (edge.empty() || last_of_all || glm::length(lines[i]->at - edge.back().at) >= kRowsApart)
-        edge.push_back(*lines[i]);
-      for (const std::size_t k : {i, i + 1}) {
-        if (!leaps(i)) break;
-        edge.push_back(*lines[k]);
-        edge.back().at.y = lines[i]->at.y + 0.5f;
-      }
-    } else if (!edge.empty()) {
-      end();
-    }
-  }
-  if (!edge.empty()) end();
 }
 
 void Tracer::foot() {

@@ -85,7 +85,8 @@ class GlRenderer final : public Renderer {
 
   void show_vessel(const TriangleMesh& mesh, std::array<float, 3> color,
                    const content::Coloring& coloring, double size) override {
-    stage_->show_vessel(model_of(mesh, color, coloring, static_cast<float>(size)));
+    const auto scaled = static_cast<float>(size);
+    stage_->show_vessel(model_of(mesh, color, coloring, scaled), edges_of(mesh, scaled));
     drawn_.reset();
   }
 

@@ -1,6 +1,7 @@
 #include "kiosk/picture/render/ribbons.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace onggi::render {
@@ -52,6 +53,19 @@ void add_bend(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& indi
 }
 
 }  // namespace
+
+void put_farthest_first(const std::vector<EdgeCorner>& corners,
+                        std::vector<std::uint32_t>& indices) {
+  constexpr std::size_t kQuad = 6;
+  std::vector<std::array<std::uint32_t, kQuad>> quads(indices.size() / kQuad);
+  for (std::size_t i = 0; i < quads.size(); ++i)
+    std::copy_n(&indices[kQuad * i], kQuad, quads[i].begin());
+  std::stable_sort(quads.begin(), quads.end(), [&](const auto& a, const auto& b) {
+    return corners[a[0]].depths.x > corners[b[0]].depths.x;
+  });
+  for (std::size_t i = 0; i < quads.size(); ++i)
+    std::copy_n(quads[i].begin(), kQuad, &indices[kQuad * i]);
+}
 
 void add_ribbon(std::vector<EdgeCorner>& corners, std::vector<std::uint32_t>& indices,
                 const std::vector<EdgePoint>& line, float texel) {

@@ -18,12 +18,18 @@ struct EdgeCorner {
 /// A point of an edge.
 struct EdgePoint {
   glm::vec2 at{0.0f};  ///< Pixels of the frame, from the lower left.
-  /// Of an outline: nearer hides it, farther lies behind it; 1: the wheel head's. Of a crease:
+  /// Of an outline: nearer hides it, farther lies behind it; 1: the wheel head's, 0: the clay's on
+  /// it, -1: of what stands elsewhere. Of a crease:
   /// pixels beyond it and inside where no texel reaches over it; nearer hides it.
   glm::vec3 depths{0};
   glm::vec3 strip{-1};  ///< Colours: place at the edge, and its change in y a pixel. None: x < 0.
   float most_in = 1e9f, most_out = 1e9f;  ///< Pixels to both sides, at most.
 };
+
+/// Sorts ribbons by depth: where an edge ends at a nearer one, the nearer one's ribbon is the true
+/// one, and is drawn last.
+void put_farthest_first(const std::vector<EdgeCorner>& corners,
+                        std::vector<std::uint32_t>& indices);
 
 /// Adds a ribbon along `line`, which hides a texel of `texel` pixels wherever the edge runs through
 /// it. What is in front lies left of the way. Steep pieces are widened along x and flat ones along

@@ -29,6 +29,7 @@ constexpr double kBeadsSeen = 0.12;
 // Less of the inside is visible, so it has the next coarser mesh.
 constexpr std::size_t inside_of(std::size_t wall) { return wall > 0 ? wall - 1 : 0; }
 constexpr float kBeforeSection = 0.003f, kInk = 0.0002f;  // m
+constexpr float kNarrowOpening = 5.0f;                    // texels
 constexpr int facing_columns(int columns) { return static_cast<int>(kFacing * columns + 0.5); }
 constexpr std::size_t kSectionPart = 4;
 constexpr Wall kMirrored{44, 16, 1e9f};
@@ -157,6 +158,12 @@ void Stage::prepare(const view::PotView& pot, const Quality& quality) {
   backdrop_->cast(Backdrop::Of::mesh, vessel_.levels, vessel_levels_, studio_, 0.0f, 1.0f, 0.0);
 }
 
+double Stage::shown_opening(const view::PotView& pot, double scale) const {
+  const float texels = opening_of(pot) * static_cast<float>(clay_.max_radius()) * size_of(pot) /
+                       pixel_size(pot.camera, scale);
+  return texels < kNarrowOpening ? 0.0 : pot.cut_away;
+}
+
 float Stage::foot(const view::PotView& pot) const {
   return pot.wheel ? static_cast<float>(pot.wheel_radius) : size_of(pot) * clay_.levels().outer[0];
 }
@@ -237,7 +244,7 @@ void Stage::prepare_edges(const view::PotView& pot, double scale) {
             kWalls[inside_of(drawn.size)].rows, drawn.open_from + drawn.open_angle,
             2.0f * glm::pi<float>() - drawn.open_angle};
   }
-  edges_->prepare(clay_, coat_, wall, pot, clip, scale);
+  edges_->prepare(clay_, coat_, wall, vessel_edges_, pot, clip, scale);
   if (clay_.empty()) return;
   // As fine as the frame.
   use_clay(1, pot, clip, pixel_size(pot.camera, 1.0)).set("unrolled", LipStrip::kUnrolled);

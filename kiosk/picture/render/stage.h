@@ -16,6 +16,7 @@
 #include "kiosk/picture/render/coat_texture.h"
 #include "kiosk/picture/render/edges.h"
 #include "kiosk/picture/render/gl.h"
+#include "kiosk/picture/render/mesh_outline.h"
 #include "kiosk/picture/render/portrait.h"
 #include "kiosk/picture/render/soft_edges.h"
 #include "kiosk/picture/render/studio.h"
@@ -44,6 +45,10 @@ class Stage {
   /// The decoration of the clay.
   CoatTexture& coat() { return coat_; }
   const Backdrop& backdrop() const { return *backdrop_; }
+  /// pot.cut_away, or 0 where the opening is narrower than a few texels of a picture with one
+  /// sample a pixel that is `scale` times the camera's size: it would be broken lines, which
+  /// flicker.
+  double shown_opening(const view::PotView& pot, double scale) const;
   /// Call before the others: uploads the changes of clay, light and water.
   void prepare(const view::PotView& pot, const Quality& quality);
   /// Draws the pot's shadow on `plaster` into the bound target of the same size.
@@ -52,7 +57,10 @@ class Stage {
   /// Radius of the wheel head or the pot's foot on the ground, metres.
   float foot(const view::PotView& pot) const;
   /// Sets the vessel beside the pot; none while a pot is drawn alone.
-  void show_vessel(Model vessel) { vessel_ = std::move(vessel); }
+  void show_vessel(Model vessel, MeshEdges edges) {
+    vessel_ = std::move(vessel);
+    vessel_edges_ = std::move(edges);
+  }
   const Model& vessel() const { return vessel_; }
   /// Draws the vessel's shadow on a ground of this size. Call prepare() first.
   void draw_vessel_ground(const view::PotView& pot, int width, int height);
@@ -115,6 +123,7 @@ class Stage {
   Mesh mirrored_, floor_, wheel_;
   Texture clay_levels_, mesh_levels_, vessel_levels_;
   Model vessel_;
+  MeshEdges vessel_edges_;
 };
 
 }  // namespace onggi::render

@@ -50,7 +50,7 @@ void take(ivec2 texel, float weight, float inside) {
   }
   bool of_wheel = depths.z > 0.5;
   // Where clay meets the wheel head both are as deep.
-  bool low = depth > dot(head.xyz, vec3(at, 1.0)) + (inside > 0.0 && !of_wheel ? head.w : -head.w);
+  bool low = depths.z > -0.5 && depth > dot(head.xyz, vec3(at, 1.0)) + (inside > 0.0 && !of_wheel ? head.w : -head.w);
   bool hides = of_wheel ? !low : depth < depths.x;
   bool is_before = depth < depths.y && low == of_wheel;
   bool on_wheel = low && depth < 1.0;
