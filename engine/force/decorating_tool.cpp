@@ -15,7 +15,11 @@ constexpr double kCutting = 2.47;  // 2 cot(39 degrees): a rake of 10
 constexpr double kThrust = 0.21;   // tan(12 degrees)
 constexpr double kSinks = 1.5e-4;  // m, d_y
 constexpr double kKnifeEdge = 1.5e-4, kScraperEdge = 3e-4;  // m, e
-constexpr double kMostEdge = 6.0;                           // N that an edge bears before it sinks
+// N/m: no stiffer than the wheel head, for which a device's coupling was derived.
+constexpr double kStiffest = 500.0, kStop = 250.0;
+constexpr double kThinChips =
+    2.0;  // times as dear, where they are no thicker than the edge is blunt
+constexpr double kMostEdge = 6.0;  // N that an edge bears before it sinks
 
 /// The law's figures for one tool.
 struct Answer {
@@ -32,12 +36,12 @@ double within(double value, double low, double high) {
 Answer blade(double width, double strength, double edge, double fill) {
   Answer made;
   made.edge = std::min(kMostEdge, kHard * strength * width * edge);
-  made.yields = kSinks;
+  made.yields = std::max(kSinks, made.edge / kStiffest);
   made.cuts = kCutting * strength * width * fill;
-  made.thrust = kThrust * made.cuts;
+  made.thrust = std::min(kStiffest, kThrust * made.cuts);
   made.friction = kFriction;
   made.most = kMostGrip;
-  made.stop = made.edge / kSinks;
+  made.stop = kStop;
   return made;
 }
 
@@ -52,19 +56,15 @@ Answer answer_of(const DecoratingTool& tool) {
     case DecoratingLaw::cut:
       return blade(width, strength, kKnifeEdge, within(tool.fill, 0.0, 1.0));
     case DecoratingLaw::scrape:
-      return blade(width, strength, kScraperEdge, 1.0);
+      return blade(width, strength, kScraperEdge, kThinChips);
     case DecoratingLaw::brush:  // Hair bends and slides; the ferrule stops it.
       return {0.6 * wide, 0.002, 0.0, 0.0, 0.5, 0.3, 100.0};
     case DecoratingLaw::wipe:  // A fingertip's pad on wet glaze or slip; the bone.
-      return {2.0 * wide, 0.002, 0.0, 0.0, kFriction, 1.5, 1500.0};
-    case DecoratingLaw::stamp:
-      return {0.5 * kMostEdge * wide * (1.0 + kDryer * dryness),
-              4e-4,
-              0.0,
-              0.0,
-              kFriction,
-              2.0,
-              8000.0};
+      return {2.0 * wide, 0.002, 0.0, 0.0, kFriction, 1.5, kStop};
+    case DecoratingLaw::stamp: {
+      const double bears = 0.5 * kMostEdge * wide * (1.0 + kDryer * dryness);
+      return {bears, std::max(4e-4, bears / kStiffest), 0.0, 0.0, kFriction, 2.0, kStop};
+    }
   }
   return {};
 }

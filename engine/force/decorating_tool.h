@@ -38,7 +38,9 @@ inline constexpr double kMostGrip = 8.0;
 /// 2 (Merchant 1945), and c = k tan(beta - rake) presses the tool off. tau = 170 kPa is the shear
 /// strength of clay at its plastic limit (Wroth & Wood 1978), where it is leather-hard; dry it is
 /// twice as much here, which is set from the ranges of forces that were asked for, as are brush,
-/// finger and stamp (engine/docs/force.md). At S the tool is as deep as it goes.
+/// finger and stamp (engine/docs/force.md). At S the tool is as deep as it
+/// goes. Y / d_y and c are at most 500 N/m, as the wheel head, for which devices' couplings are
+/// derived.
 ///
 /// The push is a function of the depth alone, and rises with it: a spring, which gives nothing for
 /// nothing. The grip is a limit of friction, for Coupling: it needs no velocity, and only takes.

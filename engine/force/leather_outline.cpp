@@ -11,16 +11,18 @@ constexpr double kSame = 1e-6;  // m: closer corners are one
 constexpr double kOnIt = 1e-9;  // m: nearer, the way to the wall has no direction
 }  // namespace
 
-LeatherOutline::LeatherOutline(const std::vector<Vec2>& corners, double begins) {
+LeatherOutline::LeatherOutline(const std::vector<Vec2>& corners, double begins, double apart) {
   corners_.reserve(corners.size());
+  double told = begins - apart;
   for (const Vec2& at : corners) {
+    told += apart;
     if (!std::isfinite(at.x) || !std::isfinite(at.y)) continue;
-    double along = begins;
+    double along = told;
     if (!corners_.empty()) {
       const Corner& last = corners_.back();
       const double way = length(at - last.at);
       if (way < kSame) continue;
-      along = last.along + way;
+      if (!(apart > 0.0)) along = last.along + way;
     }
     corners_.push_back({at, along});
   }
@@ -41,7 +43,7 @@ NearWall LeatherOutline::near(Vec3 at, double along, double reach) const noexcep
   for (std::size_t n = 0; n + 1 < corners_.size(); ++n) {
     const Corner &a = corners_[n], &b = corners_[n + 1];
     if (b.along < along - reach || a.along > along + reach) continue;
-    const double long_is = b.along - a.along;
+    const double long_is = length(b.at - a.at);
     const Vec2 to{(b.at.x - a.at.x) / long_is, (b.at.y - a.at.y) / long_is};
     const Vec2 from_a{radius - a.at.x, at.y - a.at.y};
     const double asked = from_a.x * to.x + from_a.y * to.y;
@@ -57,7 +59,7 @@ NearWall LeatherOutline::near(Vec3 at, double along, double reach) const noexcep
     beyond = past;
     way = off;
     face = {to.y, -to.x};
-    found.along = a.along + gone;
+    found.along = a.along + gone / long_is * (b.along - a.along);
   }
   if (!std::isfinite(least)) return found;
   const double far = std::sqrt(least);

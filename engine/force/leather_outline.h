@@ -19,9 +19,11 @@ struct NearWall {
 class LeatherOutline {
  public:
   /// Corners by radius (x, m, >= 0) and height (y, m): from the foot up the outside, over the lip,
-  /// down the inside. `begins`: `along` of the first, m. Corners that are not finite, or lie on the
-  /// one before, are left out. With fewer than two it has no wall. Allocates.
-  explicit LeatherOutline(const std::vector<Vec2>& corners, double begins = 0.0);
+  /// down the inside. `begins`: `along` of the first, m; `apart`: how much
+  /// farther along each one is than the one before, m, 0: as far as it is. Corners that are not
+  /// finite, or lie on the one before, are left out. With fewer than two it has no wall. Allocates.
+  explicit LeatherOutline(const std::vector<Vec2>& corners, double begins = 0.0,
+                          double apart = 0.0);
 
   bool stands() const { return corners_.size() > 1; }
   /// The nearest wall; depth is far below 0 if there is none. No allocation; O(corners).

@@ -11,6 +11,7 @@
 
 #include "engine/contact/paper_model.h"
 #include "engine/force/guard.h"
+#include "engine/force/leather_hand.h"
 #include "engine/lab/sampled_theory.h"
 #include "engine/math/portable.h"
 
@@ -28,8 +29,10 @@ class Wall {
  public:
   explicit Wall(const LoopPlan& plan) : plan_(plan), last_(plan.begins) {
     decay_ = portable::exp(-LoopPlan::kSeconds / theory::kRelaxation);
-    if (!has_scene(plan.wall)) return;
-    if (auto made = Scene::create(plan.scene)) scene_.emplace(std::move(*made));
+    if (plan.wall == LoopWall::leather) level_.emplace(std::vector<Vec2>{{1.0, 0.0}, {0.0, 0.0}});
+    if (!has_scene(plan.wall) && !level_) return;
+    if (has_scene(plan.wall))
+      if (auto made = Scene::create(plan.scene)) scene_.emplace(std::move(*made));
     limits_.stiffness = plan.coupling;
     limits_.max_force = plan.scene.guard.max_force;
     limits_.mass = plan.device.mass;
@@ -39,6 +42,11 @@ class Wall {
   bool stands() const { return !has_scene(plan_.wall) || scene_.has_value(); }
 
   Vec3 answer(Vec3 at) {
+    if (level_) {
+      felt_.touch = leather_.meet(*level_, plan_.tool,
+                                  haptics_.tool(at, LoopPlan::kSeconds, limits_), 1.0, {});
+      return guarded();
+    }
     if (!scene_) return spring(at);
     const bool rendered = plan_.wall == LoopWall::rendered;
     Hands hands;
@@ -47,7 +55,13 @@ class Wall {
     hands.hand[0].position = rendered ? haptics_.tool(at, LoopPlan::kSeconds, limits_) : at;
     felt_ = scene_->step(hands, LoopPlan::kSeconds).hand[0];
     if (plan_.wall == LoopWall::filtered_engine) return filter_.filter(felt_.force);
-    if (!rendered) return felt_.force;
+    return rendered ? guarded() : felt_.force;
+  }
+
+  const HandFeedback& felt() const { return felt_; }
+
+ private:
+  Vec3 guarded() {
     const Vec3 force = haptics_.feel(felt_.touch, 1.0, limits_);
     bool finite = true;
     const GuardDef& guard = plan_.scene.guard;
@@ -55,9 +69,6 @@ class Wall {
                        {guard.max_force, guard.max_slew, guard.engage_time}, finite);
   }
 
-  const HandFeedback& felt() const { return felt_; }
-
- private:
   Vec3 spring(Vec3 at) {
     const Vec3 wanted{0.0, -plan_.stiffness * (at.y - plan_.begins.y), 0.0};
     if (plan_.wall == LoopWall::filtered_spring) return filter_.filter(wanted);
@@ -69,6 +80,8 @@ class Wall {
 
   const LoopPlan& plan_;
   std::optional<Scene> scene_;
+  std::optional<force::LeatherOutline> level_;
+  force::LeatherHand leather_;
   force::HapticLimits limits_;
   force::Haptics haptics_;
   force::Guard guard_;
@@ -119,6 +132,8 @@ const char* name_of(LoopWall wall) {
       return "engine";
     case LoopWall::filtered_engine:
       return "filtered_engine";
+    case LoopWall::leather:
+      return "leather";
     case LoopWall::rendered:
       break;
   }

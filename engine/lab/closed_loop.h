@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/force/decorating_tool.h"
 #include "engine/force/haptics.h"
 #include "engine/lab/handle.h"
 #include "engine/scene/scene.h"
@@ -14,6 +15,7 @@ enum class LoopWall {
   engine,           ///< A scene's own force, directly on the device.
   filtered_engine,  ///< The same behind the paper's filter.
   rendered,         ///< A scene's touch through force::Haptics: the shipped path.
+  leather,          ///< A decorating tool on a level of leather-hard clay at y = 0, rendered so.
 };
 /// "spring", "maxwell" ...
 const char* name_of(LoopWall wall);
@@ -26,10 +28,11 @@ struct LoopPlan {
   HandModel hand;
   LoopWall wall = LoopWall::spring;
   double stiffness = 0.0;         ///< Of the three walls without a scene, N/m.
-  SceneDef scene;                 ///< Of the walls with a scene.
-  double coupling = 0.0;          ///< Of `rendered`, N/m.
-  int told_delay = -1;            ///< Of `rendered`: the delay that it is told; -1: the true one.
-  bool passivity = true;          ///< Of `rendered`: false switches the passivity controller off.
+  SceneDef scene;                 ///< Of the walls with a scene; of `leather` its guard alone.
+  force::DecoratingTool tool;     ///< Of `leather`.
+  double coupling = 0.0;          ///< Of `rendered` and `leather`, N/m.
+  int told_delay = -1;            ///< Of both: the delay that they are told; -1: the true one.
+  bool passivity = true;          ///< Of both: false switches the passivity controller off.
   Vec3 begins{0.12, 0.008, 0.0};  ///< m; default: a ball on the wheel head.
   Vec3 rest = begins;             ///< Where the hand wants to be, m.
   Vec3 push;                      ///< The hand's own push, N.

@@ -29,6 +29,7 @@ std::optional<SampledWall> theory_of(LoopWall wall) {
     case LoopWall::engine:
     case LoopWall::filtered_engine:
     case LoopWall::rendered:
+    case LoopWall::leather:
       break;
   }
   return std::nullopt;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/force/leather_hand.h"
 #include "engine/scene/hand_view.h"
 #include "engine/scene/hands.h"
 
@@ -27,7 +28,9 @@ struct LoopStatus {
   Hands hands;             ///< As given to the last tick; while paused, as the devices have them.
   std::array<HandView, kMaxHands> hand{};  ///< At the pot, after the tick.
   Feedback feedback;
-  bool scripted = false;       ///< A script moves the hands.
+  bool leather = false;  ///< The clay is leather-hard: it is decorated, and not stepped.
+  std::array<force::LeatherPlace, kMaxHands> at_leather{};  ///< Its hands' tools.
+  bool scripted = false;                                    ///< A script moves the hands.
   bool shown = false;          ///< No visitor works on the pot: it is shown, or a script's.
   bool hands_taken = false;    ///< A visitor holds a device, whatever moves the hands.
   double script_progress = 0;  ///< 0..1

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "engine/force/leather_hand.h"
 #include "engine/scene/hands.h"
 #include "engine/script/script.h"
 #include "kiosk/wheel/device/hand_device.h"
@@ -12,8 +13,8 @@ namespace onggi::loop {
 
 struct Pot;
 
-/// The main thread's requests to the loop, one type a kind. A pot or script belongs to the holder
-/// of its command; devices stay the host's.
+/// The main thread's requests to the loop, one type a kind. A pot, script or wall belongs to the
+/// holder of its command; devices stay the host's.
 namespace command {
 struct Put {  ///< Puts a pot on the wheel; the old one is returned.
   Pot* pot = nullptr;
@@ -49,6 +50,13 @@ struct Pause {
   bool on = false;
 };
 struct Show {};  ///< The pot is only shown: no visitor's device works on it.
+struct Harden {  ///< nullptr: the clay is soft again. The old wall is returned.
+  force::LeatherOutline* wall = nullptr;
+};
+struct Decorate {
+  force::DecoratingTool tool;
+  force::LeatherTurn turn;
+};
 struct ClearFaults {
   std::uint32_t which = 0;
 };
@@ -57,7 +65,8 @@ struct ClearFaults {
 using Command =
     std::variant<command::GiveBack, command::Put, command::Play, command::Attach, command::Detach,
                  command::Lead, command::Take, command::TurnWheel, command::Water, command::Renew,
-                 command::Restore, command::Pause, command::Show, command::ClearFaults>;
+                 command::Restore, command::Pause, command::Show, command::Harden,
+                 command::Decorate, command::ClearFaults>;
 static_assert(std::is_trivially_copyable_v<Command>, "the queue moves it without a thought");
 
 }  // namespace onggi::loop

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "engine/force/leather_hand.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
 
@@ -28,6 +29,14 @@ class WheelCommands {
   virtual void restore() = 0;
   /// Pauses the simulation and lifts all hands.
   virtual void pause(bool on) = 0;
+  /// The clay on the wheel is leather-hard from now on (nullptr: soft again), and `wall` is its
+  /// outline. Meanwhile it is not stepped, paused or not; hands of force devices hold the tool of
+  /// decorate() and feel the wall, and status tells where they are (LoopStatus::at_leather). A new
+  /// pot or a script ends it.
+  virtual void harden(std::unique_ptr<force::LeatherOutline> wall) = 0;
+  /// While the clay is leather-hard: the tool in every hand, and how the pot stands on the screen.
+  /// Call once a frame.
+  virtual void decorate(const force::DecoratingTool& tool, const force::LeatherTurn& turn) = 0;
   /// Acknowledges these FaultBits, so that a repeat is reported again.
   virtual void clear_faults(std::uint32_t which) = 0;
   /// Updates every row of the clay's view to the last tick. False if the loop did not answer within

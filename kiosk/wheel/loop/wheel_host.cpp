@@ -18,9 +18,11 @@ WheelHost::~WheelHost() = default;
 
 bool WheelHost::send(const Command& command) {
   if (core_.send(command)) return true;
-  // A full queue means that the loop has stopped for 256 commands. A hand's target is then dropped,
-  // because the next frame sends a newer one. Everything else waits for space, at most a second.
-  if (std::holds_alternative<command::Lead>(command)) return false;
+  // A full queue means that the loop has stopped for 256 commands. What the next frame sends anew
+  // is then dropped: a hand's target, a tool. Everything else waits for space, at most a second.
+  if (std::holds_alternative<command::Lead>(command) ||
+      std::holds_alternative<command::Decorate>(command))
+    return false;
   for (int i = 0; i < static_cast<int>(patience_ * 1000); ++i) {
     let_loop_turn();
     if (core_.send(command)) return true;
@@ -28,6 +30,7 @@ bool WheelHost::send(const Command& command) {
   }
   if (const auto* put = std::get_if<command::Put>(&command)) delete put->pot;
   if (const auto* play = std::get_if<command::Play>(&command)) delete play->script;
+  if (const auto* harden = std::get_if<command::Harden>(&command)) delete harden->wall;
   return false;
 }
 
@@ -56,6 +59,7 @@ void WheelHost::take_returned() {
   Returned returned;
   while (core_.take_returned(returned)) {
     delete returned.script;
+    delete returned.wall;
     if (returned.device != nullptr)
       std::erase_if(devices_,
                     [&returned](const auto& mine) { return mine.get() == returned.device; });

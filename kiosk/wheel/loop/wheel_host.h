@@ -30,6 +30,12 @@ class WheelHost : public WheelCommands {
   void renew() override { send(command::Renew{}); }
   void restore() override { send(command::Restore{}); }
   void pause(bool on) override { send(command::Pause{on}); }
+  void harden(std::unique_ptr<force::LeatherOutline> wall) override {
+    send(command::Harden{wall.release()});
+  }
+  void decorate(const force::DecoratingTool& tool, const force::LeatherTurn& turn) override {
+    send(command::Decorate{tool, turn});
+  }
   void clear_faults(std::uint32_t which) override { send(command::ClearFaults{which}); }
   bool refresh_every_row() override;
   /// Only shows the wheel until the next pot: visitors' devices neither work on it nor feel it.

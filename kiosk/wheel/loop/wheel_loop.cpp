@@ -36,18 +36,22 @@ WheelLoop::~WheelLoop() {
   while (commands_.try_dequeue(command)) {
     if (const auto* put = std::get_if<command::Put>(&command)) delete put->pot;
     if (const auto* play = std::get_if<command::Play>(&command)) delete play->script;
+    if (const auto* harden = std::get_if<command::Harden>(&command)) delete harden->wall;
   }
   Returned returned;
   while (returned_.try_dequeue(returned)) {
     delete returned.pot;
     delete returned.script;
+    delete returned.wall;
   }
+  delete leather_.begin(nullptr);
   delete pot_;
   delete script_;
 }
 
 void WheelLoop::hand_back(const Returned& done) noexcept {
-  if (done.pot != nullptr || done.script != nullptr || done.device != nullptr)
+  if (done.pot != nullptr || done.script != nullptr || done.device != nullptr ||
+      done.wall != nullptr)
     returned_.try_enqueue(done);
 }
 
@@ -60,6 +64,7 @@ void WheelLoop::apply(const command::Put& wish) noexcept {
   hand_back({std::exchange(pot_, wish.pot), std::exchange(script_, nullptr), nullptr});
   // A lent pot returns unchanged; a new one finds the hands lifted and empty.
   if (status_.scene_serial == pot_->serial) return;
+  end_leather(true);
   lift_hands();
   taken_ = {};
   status_.scene_serial = pot_->serial;
@@ -73,6 +78,7 @@ void WheelLoop::apply(const command::GiveBack&) noexcept {
 void WheelLoop::apply(const command::Play& wish) noexcept {
   hand_back({nullptr, std::exchange(script_, wish.script), nullptr});
   script_time_ = 0;
+  if (script_ != nullptr) end_leather(true);
   lift_hands();
 }
 
@@ -111,6 +117,18 @@ void WheelLoop::apply(const command::Pause& wish) noexcept {
   // No hand works on a paused pot.
   status_.hand = {};
   status_.feedback.hand = {};
+}
+
+void WheelLoop::apply(const command::Harden& wish) noexcept {
+  if (wish.wall == nullptr) return leather_.end();
+  hand_back({nullptr, nullptr, nullptr, leather_.begin(wish.wall)});
+}
+
+void WheelLoop::end_leather(bool now) noexcept {
+  hand_back({nullptr, nullptr, nullptr, leather_.ended(now)});
+  if (leather_.on()) return;
+  status_.leather = false;
+  status_.at_leather = {};
 }
 
 void WheelLoop::apply(const command::ClearFaults& wish) noexcept {
@@ -185,12 +203,31 @@ void WheelLoop::step(double dt) noexcept {
   feel(status_.feedback.hand);
 }
 
+void WheelLoop::decorate(double dt) noexcept {
+  read_hands(dt, status_.hands);
+  // Hands that the screens lead shape soft clay; on the screen Decorate a finger needs none.
+  std::array<HandInput, kMaxHands> hands = status_.hands.hand;
+  for (std::size_t h = 0; h < hands.size(); ++h)
+    if (leads_[h] == nullptr || leads_[h]->led()) hands[h].active = false;
+  const GuardDef guard = pot_ != nullptr ? pot_->scene.def().guard : GuardDef{};
+  status_.feedback.hand =
+      leather_.step(hands, dt, {guard.max_force, guard.max_slew, guard.engage_time});
+  status_.hand = {};
+  status_.leather = true;
+  for (int h = 0; h < kMaxHands; ++h)
+    status_.at_leather[static_cast<std::size_t>(h)] = leather_.place(h);
+  feel(status_.feedback.hand);
+  end_leather(false);
+}
+
 void WheelLoop::tick(double dt) noexcept {
   take_commands();
   calm_ = std::clamp(calm_ + (strained_ ? -dt / kCalmDown : dt / kCalmUp), 0.0, 1.0);
   status_.scripted = script_ != nullptr;
   status_.shown = shown_ || script_ != nullptr;
-  if (pot_ != nullptr && !paused_) {
+  if (leather_.on()) {
+    decorate(dt);
+  } else if (pot_ != nullptr && !paused_) {
     step(dt);
   } else {
     // A moving hand means that a visitor is there, and it must stop feeling clay that it left.

@@ -11,6 +11,7 @@
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
 #include "kiosk/wheel/device/hand_device.h"
+#include "kiosk/wheel/loop/leather_work.h"
 #include "kiosk/wheel/loop/row_channel.h"
 #include "kiosk/wheel/loop/status.h"
 #include "kiosk/wheel/loop/wetness_by_row.h"
@@ -35,6 +36,7 @@ struct Returned {
   Pot* pot = nullptr;
   Script* script = nullptr;
   device::HandDevice* device = nullptr;
+  force::LeatherOutline* wall = nullptr;
 };
 
 /// The loop thread's side of the wheel: takes commands, reads the hands or the script, steps the
@@ -83,6 +85,8 @@ class WheelLoop {
   void apply(const command::Restore&) noexcept { asked_.restore = true; }
   void apply(const command::Pause& wish) noexcept;
   void apply(const command::Show&) noexcept { shown_ = true; }
+  void apply(const command::Harden& wish) noexcept;
+  void apply(const command::Decorate& wish) noexcept { leather_.hold(wish.tool, wish.turn); }
   void apply(const command::ClearFaults& wish) noexcept;
 
   void hand_back(const Returned& done) noexcept;
@@ -90,6 +94,8 @@ class WheelLoop {
   void read_hands(double dt, Hands& hands) noexcept;
   void feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept;
   void step(double dt) noexcept;
+  void decorate(double dt) noexcept;
+  void end_leather(bool now) noexcept;
 
   moodycamel::ReaderWriterQueue<Command> commands_;
   moodycamel::ReaderWriterQueue<Returned> returned_;
@@ -102,6 +108,7 @@ class WheelLoop {
   std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
   double off_ = 0;  ///< s for which all hands stay off freshly laid clay.
   Hands asked_;     ///< Wheel, water and the one-tick requests; hands come from the devices.
+  LeatherWork leather_;
   bool paused_ = false;
   bool shown_ = false;
   bool strained_ = false;

@@ -57,6 +57,13 @@ TEST(LeatherOutline, WhatIsNoCornerIsLeftOutAndLessThanTwoAreNoWall) {
   EXPECT_LT(LeatherOutline({}).near({}).depth, -1.0);
 }
 
+TEST(LeatherOutline, CornersMayLieFartherAlongThanTheyAreApart) {
+  // As where an outline of even rows goes round an edge.
+  const LeatherOutline wall({{0.06, 0.0}, {0.06, 0.001}, {0.0595, 0.0015}}, 0.0005, 0.001);
+  EXPECT_NEAR(wall.near({0.061, 0.0005, 0.0}).along, 0.001, 1e-12);
+  EXPECT_NEAR(wall.near({0.0595, 0.01, 0.0}).along, 0.0025, 1e-12);
+}
+
 TEST(LeatherHand, AToolThatComesFromOutsideIsPushedOutAndItsPlaceIsTold) {
   const LeatherOutline wall = cylinder();
   LeatherHand hand;

@@ -71,6 +71,12 @@ class Overheard final : public loop::WheelCommands {
   void renew() override { wheel_.renew(); }
   void restore() override { wheel_.restore(); }
   void pause(bool on) override { wheel_.pause(on); }
+  void harden(std::unique_ptr<force::LeatherOutline> wall) override {
+    wheel_.harden(std::move(wall));
+  }
+  void decorate(const force::DecoratingTool& tool, const force::LeatherTurn& turn) override {
+    wheel_.decorate(tool, turn);
+  }
   void clear_faults(std::uint32_t which) override { wheel_.clear_faults(which); }
   bool refresh_every_row() override { return wheel_.refresh_every_row(); }
 

@@ -44,6 +44,11 @@ class RecordedCommands final : public loop::WheelCommands {
   void renew() override { ++renewed; }
   void restore() override { ++restored; }
   void pause(bool on) override { pauses.push_back(on); }
+  void harden(std::unique_ptr<force::LeatherOutline> made) override { wall = std::move(made); }
+  void decorate(const force::DecoratingTool& tool, const force::LeatherTurn& turn) override {
+    decorating = tool;
+    turned = turn;
+  }
   void clear_faults(std::uint32_t which) override { cleared |= which; }
   bool refresh_every_row() override { return ++settled > 0 && answers; }
 
@@ -55,6 +60,9 @@ class RecordedCommands final : public loop::WheelCommands {
   int renewed = 0, restored = 0, settled = 0, ended = 0;  ///< `ended`: scripts.
   std::uint32_t cleared = 0;
   bool answers = true;
+  std::unique_ptr<force::LeatherOutline> wall;  ///< Null: the clay is soft.
+  force::DecoratingTool decorating;
+  force::LeatherTurn turned;
 };
 
 /// A vessel that is `belly` wide (radius, metres) half-way up, 0.2 m high.
