@@ -11,6 +11,7 @@
 #include "kiosk/visit/decorating/touch_queue.h"
 #include "kiosk/visit/screens/decorate_controls.h"
 #include "kiosk/visit/screens/decorate_drawing.h"
+#include "kiosk/visit/screens/led_tool.h"
 #include "kiosk/visit/screens/overlays.h"
 #include "kiosk/visit/screens/pot_picture.h"
 #include "kiosk/visit/screens/stroke_board.h"
@@ -45,6 +46,7 @@ class Decorate final : public Screen {
     if (pot_ == nullptr) return;
     mark_ = 0.6 * outside();
     touches_.emplace(*pot_);
+    if (desk.world.wheel_commands != nullptr) led_.emplace(*desk.world.wheel_commands);
     state_ = pot_->state();
   }
   ScreenId id() const override { return ScreenId::decorate; }
@@ -62,6 +64,11 @@ class Decorate final : public Screen {
       turned_by_ = (desk.screen().left_handed ? -dt : dt) * kRoundTurn / kRingTime;
     turned_ += turned_by_;
     if (finger_ && turns) follow_round();
+    if (led_) {
+      const bool free = !finger_ && !turning_;
+      const bool touched = led_->update(desk.status, *pot_, angle_, dt, free, *touches_);
+      if (touched || led_->touches()) used_ = desk.now;
+    }
     example_.step(dt, seen().front(), *pot_);
     touches_->update(dt, example_.hurries());
     look_at_state();
@@ -102,6 +109,7 @@ class Decorate final : public Screen {
         card != nullptr && card->vessel != nullptr && !example_.shows() &&
         !pot_->waits(pot_->tool()))
       begins = draw_starts(page, seen(), card->vessel->starts);
+    if (led_ && led_->finger()) draw_finger(page, seen(), *led_->finger());
     if (example_.finger()) draw_finger(page, seen(), *example_.finger());
     const bool marks = marks_ || StrokeBoard::wanted(desk);
     if (keyed || marks) draw_mark(page, seen(), mark_);
@@ -195,6 +203,7 @@ class Decorate final : public Screen {
     turning_ = false;
     if (pot_ == nullptr) return;
     example_.stop(*pot_);
+    if (led_) led_->let_go(*touches_);
     let_go_of_pot();
   }
 
@@ -276,6 +285,7 @@ class Decorate final : public Screen {
   }
   DecoratedPot* pot_;                  ///< Null: the vessel has no way, or the pot no outline.
   std::optional<TouchQueue> touches_;  ///< As long as pot_.
+  std::optional<LedTool> led_;         ///< A hand device, if the wheel has any.
   Example example_;
   PotPicture picture_;
   Turntable table_;
