@@ -58,7 +58,7 @@ Answer answer_of(const DecoratingTool& tool) {
     case DecoratingLaw::scrape:
       return blade(width, strength, kScraperEdge, kThinChips);
     case DecoratingLaw::brush:  // Hair bends and slides; the ferrule stops it.
-      return {0.6 * wide, 0.002, 0.0, 0.0, 0.5, 0.3, 100.0};
+      return {0.06 + 0.55 * wide, 0.002, 0.0, 0.0, 0.5, 0.3, 100.0};
     case DecoratingLaw::wipe:  // A fingertip's pad on wet glaze or slip; the bone.
       return {2.0 * wide, 0.002, 0.0, 0.0, kFriction, 1.5, kStop};
     case DecoratingLaw::stamp: {

@@ -38,7 +38,7 @@ TEST(FeltTool, EveryToolOfEveryWayIsFeltButADipAndSmokeAndNoneBeyondItsRange) {
       const double grip = force::press_of(felt, felt.depth).grip;
       if (felt.law == DecoratingLaw::brush) {
         ++brushes;
-        EXPECT_GE(grip, 0.015) << file.path() << ' ' << tool.id;
+        EXPECT_GE(grip, 0.02) << file.path() << ' ' << tool.id;
         EXPECT_LE(grip, 0.3) << file.path() << ' ' << tool.id;
       }
       if (felt.law == DecoratingLaw::cut) {
