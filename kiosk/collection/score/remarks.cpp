@@ -47,6 +47,10 @@ struct Feature {
   double weight;
   double place;   ///< Its height on the target, metres.
   double length;  ///< The target's own, metres: its width there, or its height.
+  /// Where the pot has it, share of the pot's height.
+  double made_at;
+  /// The pot's own place says it: it is wider or narrower there than the target is anywhere.
+  bool at_made = false;
 };
 
 /// How much wider than foot and mouth, as a share of its own width.
@@ -57,22 +61,23 @@ double bulge(const Dimensions& d) {
 std::vector<Feature> features(const Measures& m) {
   std::vector<Feature> out;
   const Dimensions &made = m.made, &target = m.target;
+  const double belly_at = made.belly_height / made.height, neck_at = made.neck_height / made.height;
   const bool bellied = target.belly_height < kMouthHeight * target.height && bulge(target) > kBelly;
   if (bellied) {
     out.push_back({"belly", made.belly - target.belly, "wide", "narrow", 1.0, target.belly_height,
-                   target.belly});
+                   target.belly, belly_at, made.belly > target.belly});
     // If there is hardly a belly, its height means little; without one it means nothing.
     const double least = std::min(bulge(target), bulge(made));
     if (least > 2 * kBelly)
       out.push_back({"belly", made.belly_height - target.belly_height, "high", "low",
-                     std::min(0.5, 2.0 * least), target.belly_height, target.height});
+                     std::min(0.5, 2.0 * least), target.belly_height, target.height, belly_at});
   }
   if (target.neck < kNeck * target.mouth)
-    out.push_back(
-        {"neck", made.neck - target.neck, "wide", "narrow", 1.0, target.neck_height, target.neck});
-  out.push_back(
-      {"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0, target.height, target.mouth});
-  out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9, 0.0, target.foot});
+    out.push_back({"neck", made.neck - target.neck, "wide", "narrow", 1.0, target.neck_height,
+                   target.neck, neck_at, made.neck < target.neck});
+  out.push_back({"mouth", made.mouth - target.mouth, "wide", "narrow", 1.0, target.height,
+                 target.mouth, 1.0});
+  out.push_back({"foot", made.foot - target.foot, "wide", "narrow", 0.9, 0.0, target.foot, 0.0});
   return out;
 }
 
@@ -204,9 +209,8 @@ std::vector<Remark> try_next(const Measures& m, const Asked& asked) {
     }
     const std::string key =
         std::string("remark.") + f.name + "_" + (f.difference > 0.0 ? f.more : f.less);
-    const double wanted = f.place / m.target.height;
-    const double made =
-        std::string(f.more) == "high" ? m.made.belly_height / m.made.height : wanted;
+    const double wanted = f.at_made ? f.made_at : f.place / m.target.height;
+    const double made = std::string(f.more) == "high" ? f.made_at : wanted;
     found.push_back({f.weight * apart,
                      {key,
                       {{"mm", std::to_string(mm(f.difference))}},

@@ -128,8 +128,11 @@ void AccessMode::input(const InputEvent& event, Visit& visit, double px_per_mm, 
   const bool pressed =
       event.kind == Kind::pointer_down || (event.kind == Kind::key_down && !event.repeat);
   if (shown.one_switch) {
-    if (pressed && !held_) press_switch(visit, now);
-    return;
+    if (!pressed || held_) return;
+    // Whoever turned it on by mistake turns it off at the same place.
+    const bool off = event.kind == Kind::pointer_down &&
+                     control_at(visit, event.x, event.y) == "comfort.one_switch";
+    return off ? visit.activate("comfort.one_switch", now) : press_switch(visit, now);
   }
   const bool key = event.kind == Kind::key_down || event.kind == Kind::key_up;
   if (event.kind == Kind::key_down && event.key == Key::tell && !event.repeat) {

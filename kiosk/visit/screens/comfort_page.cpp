@@ -184,7 +184,8 @@ ChoiceLines lines_in(Page& page, const Desk& desk, const Rect& room) {
   const auto lines =
       (choices.size() + (sound ? 1 : 0) + static_cast<std::size_t>(out.abreast) - 1) /
       static_cast<std::size_t>(out.abreast);
-  for (const auto& [explained, air] : {std::pair(true, 1.6f), {false, 1.6f}, {false, 0.5f}}) {
+  for (const auto& [explained, air] :
+       {std::pair(true, 1.6f), {true, 0.6f}, {false, 1.6f}, {false, 0.5f}}) {
     out.explained = explained;
     out.between = air * t.gap;
     out.rows.clear();
@@ -233,6 +234,10 @@ void lay_out_comfort(Page& page, const Desk& desk) {
   };
   std::string lead = desk.say("comfort.lead");
   ChoiceLines lines = lines_in(page, desk, room_under(lead));
+  // What each choice does is worth more than the lead.
+  if (!lines.explained)
+    if (ChoiceLines under = lines_in(page, desk, room_under("")); under.explained && under.fits)
+      lead.clear(), lines = std::move(under);
   // Where no choice has room for its explanation, the one that was switched last is explained.
   if (!lines.explained && desk.comfort.last() != nullptr) {
     const std::string does = desk.say(std::string("comfort.") + desk.comfort.last() + "_is");

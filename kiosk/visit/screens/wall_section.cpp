@@ -13,9 +13,11 @@ namespace onggi::screens {
 
 namespace {
 
-constexpr double kThinnest = 2e-6;  // m: less is not told
-constexpr double kClay = 3e-4;      // m of clay that is drawn below the layers
-constexpr float kLine = 1.9f;       // of body text: the height of a row
+constexpr double kThinnest = 2e-6;    // m: less is not told
+constexpr double kClay = 3e-4;        // m of clay that is drawn below the layers
+constexpr double kFullCoat = 0.0005;  // m of glaze, a coat of 1
+constexpr float kDense = 1.15f;       // of its glass, as in clay.glsl
+constexpr float kLine = 1.9f;         // of body text: the height of a row
 
 struct Part {
   std::string words;
@@ -34,7 +36,12 @@ std::vector<Part> parts_of(const Desk& desk, const decoration::Way& way,
     parts.push_back(
         {desk.say("kiln.layer", {{"name", name}, {"um", microns(thick)}}), display(color), thick});
   };
-  add(glaze.name_in(desk.words().code()), glaze.look.glass, layers.glaze);
+  const bool on_slip = !layers.slips.empty();
+  const content::LinearColor below =
+      on_slip ? way.palette.pigments[static_cast<std::size_t>(layers.slips.back().pigment)].fired
+              : glaze.look.body;
+  add(glaze.name_in(desk.words().code()), seen_through(glaze.look, below, on_slip, layers.glaze),
+      layers.glaze);
   for (auto slip = layers.slips.rbegin(); slip != layers.slips.rend(); ++slip) {
     const auto n = static_cast<std::size_t>(slip->pigment);
     add(settings::text_in(way.pigments[n].name, desk.words().code()), way.palette.pigments[n].fired,
@@ -48,6 +55,16 @@ std::vector<Part> parts_of(const Desk& desk, const decoration::Way& way,
 }
 
 }  // namespace
+
+content::LinearColor seen_through(const content::GlazeLook& look, content::LinearColor below,
+                                  bool on_slip, double thickness) {
+  const auto coat = static_cast<float>(std::clamp(thickness / kFullCoat, 0.05, 1.8));
+  const float cover = on_slip ? 0.0f : look.slip_cover * std::min((coat + 0.02f) * 1.9f, 1.0f);
+  for (std::size_t k = 0; k < below.size(); ++k)
+    below[k] = std::lerp(below[k], look.slip[k], cover) *
+               std::pow(std::max(look.glass[k], 1e-4f), kDense * coat);
+  return below;
+}
 
 void lay_out_wall_section(Column& column, const Desk& desk, const decoration::Way& way,
                           const decorating::Layers& layers, const content::Glaze& glaze) {

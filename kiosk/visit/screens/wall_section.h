@@ -12,4 +12,10 @@ namespace onggi::screens {
 void lay_out_wall_section(Column& column, const Desk& desk, const decoration::Way& way,
                           const decorating::Layers& layers, const content::Glaze& glaze);
 
+/// A glaze as it is seen over what lies `below` it: glass that takes light on its way down and back
+/// (Beer-Lambert), over its own slip where it lies on clay. As the pot is drawn, without pooling.
+/// `on_slip`: `below` is a slip's colour. `thickness` in m. Linear light.
+content::LinearColor seen_through(const content::GlazeLook& look, content::LinearColor below,
+                                  bool on_slip, double thickness);
+
 }  // namespace onggi::screens

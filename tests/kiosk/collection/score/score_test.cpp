@@ -240,6 +240,22 @@ TEST(Score, remarks_name_the_part_and_the_true_millimetres) {
   EXPECT_EQ(foot.try_next[0].key, "remark.foot_wide");
 }
 
+TEST(Score, what_is_too_wide_is_told_where_the_pot_is_widest_and_too_narrow_where_the_vessel_is) {
+  const Profile target = scaled(shapes::jar(), 0.5);
+  const auto belly_told = [&](double from, double to, double by) {
+    Profile p = target;
+    for (ProfilePoint& point : p.points)
+      if (const double t = point.height / target.height(); t > from && t < to) point.outer += by;
+    for (const Remark& remark : judge(target, p, true, 2.0).try_next)
+      if (remark.key.starts_with("remark.belly_") && remark.seen->made == remark.seen->wanted)
+        return remark.seen->made;
+    return -1.0;
+  };
+  EXPECT_NEAR(belly_told(0.75, 0.85, 0.040), 0.80, 0.06) << "a flange above the belly";
+  const double belly = dimensions(target).belly_height / target.height();
+  EXPECT_NEAR(belly_told(0.05, 0.95, -0.012), belly, 0.02);
+}
+
 TEST(Score, a_groove_where_no_part_has_a_name_is_told_by_its_height) {
   Profile made = shapes::cylinder(0.2, 0.05, 0.04, 0.01);
   const Profile target = resampled(made, 200);

@@ -220,6 +220,23 @@ TEST(AccessMode, AFingerThatIsHeldOnTheClayWorksAndHasNothingRead) {
   EXPECT_TRUE(a.v.visit->shown_on().spoken) << "beside it";
 }
 
+TEST(AccessMode, ATouchOnItsOwnRowTurnsTheOneSwitchOff) {
+  Aided a;
+  a.v.exhibit.screen.one_switch = true;
+  a.wait(0.1);
+  a.event(Kind::pointer_down, 600, 300), a.event(Kind::pointer_up, 600, 300);
+  a.wait(0.2);
+  a.v.visit->activate("comfort", a.v.now);
+  a.wait(0.2);
+  const auto row = a.v.visit->control("comfort.one_switch");
+  ASSERT_TRUE(row);
+  a.event(Kind::pointer_down, row->x + 5, row->y + 5);
+  a.event(Kind::pointer_up, row->x + 5, row->y + 5);
+  a.wait(0.2);
+  EXPECT_FALSE(a.v.visit->shown_on().one_switch);
+  EXPECT_FALSE(a.v.visit->shown_on().left_handed) << "and picks nothing else";
+}
+
 TEST(AccessMode, APressOverTheWarningStaysAndPressesNothingElse) {
   Aided a;
   a.v.exhibit.screen.one_switch = true;

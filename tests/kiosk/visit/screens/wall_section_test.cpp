@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "kiosk/picture/render/text.h"
@@ -77,6 +78,20 @@ TEST(WallSection, ATapShowsWhatLiesOnTheClayThere) {
   EXPECT_LT(layers.glaze, 4e-4);
   ASSERT_EQ(layers.slips.size(), 1u);
   EXPECT_GT(layers.slips[0].thickness, 1e-6);
+}
+
+TEST(WallSection, AGlazeHasTheColourThatItHasOnThePot) {
+  content::GlazeLook brown;  // ochre glass on a brown body, without a slip of its own
+  brown.body = {0.30f, 0.12f, 0.05f}, brown.glass = {0.55f, 0.30f, 0.10f}, brown.slip_cover = 0.0f;
+  const content::LinearColor thin = seen_through(brown, brown.body, false, 5e-5),
+                             full = seen_through(brown, brown.body, false, 5e-4);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_LT(thin[k], brown.body[k]);
+    EXPECT_NEAR(full[k], brown.body[k] * std::pow(brown.glass[k], 1.15f), 1e-5f) << "not the glass";
+  }
+  brown.slip_cover = 1.0f, brown.slip = {0.8f, 0.8f, 0.8f};
+  EXPECT_GT(seen_through(brown, brown.body, false, 5e-4)[2], 5 * full[2]) << "its own slip";
+  EXPECT_EQ(seen_through(brown, brown.body, true, 5e-4), full) << "not over another's";
 }
 
 TEST(WallSection, TheButtonShowsItTooAndTakesItAwayAndThePotStandsStill) {
