@@ -196,6 +196,11 @@ void check_pack(const fs::path& folder, const LoadOptions& options,
     return;
   }
   check.files.push_back(vessel->file);
+  if (!read.pack.decoration.empty() && vessel->coloring.pictures.empty())
+    check.problems.push_back(
+        {toml.string() + ", decoration",
+         "The model has no picture, so the vessel stands there plain.",
+         "Bake it: onggi vessel make PROFILE --decoration DECORATION -o MODEL"});
   check_sizes(toml, read.pack, *vessel, check);
 }
 

@@ -36,7 +36,7 @@ void read_texts(toml::TomlReader::Table table, const std::string& prefix,
     if (settings::is_blank(words))
       table.complain(
           key, full + (words.empty() ? " is empty." : " has only characters that nobody can see."),
-          "Write its words, or leave the key out.");
+          "Write its words. In any language but English you may leave the key out.");
     if (const std::string fault = brace_fault(words); !fault.empty())
       table.complain(key, "in " + full + ", " + fault + ".",
                      "Write a placeholder as {name}, in one pair of braces.");

@@ -167,7 +167,12 @@ class StepReader {
                        "Name a table [motif.ID] of this file.");
     }
     read_length(table, "size_mm", 1e-3, 1.0, 1000.0, step.size);
-    table.integer("repeat", step.repeat, 1, 1680);
+    table.integer("repeat", step.repeat, 1, surface::kSectors);
+    if (step.repeat > 0 && surface::kSectors % step.repeat != 0)
+      table.complain(
+          "repeat",
+          "repeat is " + std::to_string(step.repeat) + ", which does not divide the pot evenly.",
+          "Choose 2 to 8, 10, 12, 14, 15 or 16.");
     table.number("turn", step.turn, 0.0, 1.0);
   }
 

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 
 #include "engine/profile/measures.h"
 #include "kiosk/collection/content/catalogue.h"
+#include "kiosk/collection/content/drawing.h"
+#include "kiosk/collection/content/model.h"
 #include "kiosk/ground/toml/toml_reader.h"
+#include "tests/kiosk/ground/files/scratch_folder.h"
 #include "tests/support/open_shelf.h"
 
 // The shelf that Onggi comes with, as the kiosk opens it. What its packs say is in
@@ -38,6 +42,21 @@ TEST(Shelf, every_pack_opens_and_has_nothing_to_put_right) {
   std::size_t folders = 0;
   for (const auto& entry : fs::directory_iterator(kShelf)) folders += entry.is_directory() ? 1 : 0;
   EXPECT_EQ(shelf().vessels.size(), folders);
+}
+
+TEST(Shelf, a_decoration_that_was_never_baked_into_the_model_is_told) {
+  const files::test::ScratchFolder scratch;
+  fs::copy(kShelf / "onggi", scratch.path() / "onggi", fs::copy_options::recursive);
+  EXPECT_TRUE(check_shelf(scratch.path()).problems.empty());
+  const auto drawing = read_drawing((kShelf / "onggi" / "profile.toml").string());
+  ASSERT_TRUE(drawing);
+  const std::vector<std::byte> plain = make_glb(*drawing);
+  std::ofstream(scratch.path() / "onggi" / "vessel.glb", std::ios::binary)
+      .write(reinterpret_cast<const char*>(plain.data()),
+             static_cast<std::streamsize>(plain.size()));
+  const auto problems = check_shelf(scratch.path()).problems;
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].what.find("no picture"), std::string::npos) << to_text(problems[0]);
 }
 
 TEST(Shelf, every_vessel_carries_a_label_of_its_own_in_each_language) {

@@ -72,6 +72,8 @@ TEST(DecorationFile, EachFaultHasItsLineAndARemedy) {
   EXPECT_NE(fault("[[step]]\ndo = \"coil\"\nat = 0.5\nmarks = 3\n"), "");
   EXPECT_NE(fault("[[step]]\ndo = \"coat\"\nwith = \"blue\"\nfrmo = 0.2\n"), "");
   EXPECT_EQ(fault("[motif.dot]\n"), "the motif \"dot\" has nothing to draw.");
+  EXPECT_EQ(fault("[[step]]\ndo = \"cut\"\nat = 0.5\nmotif = \"diamond\"\nrepeat = 9\n"),
+            "repeat is 9, which does not divide the pot evenly.");
   EXPECT_EQ(fault("[[motif.dot.line]]\npoints = [[0, 0], [1e30, 0.2]]\n"),
             "a point lies farther than 1000 units from the middle.");
   EXPECT_EQ(fault("[[motif.dot.fill]]\npoints = [[0, 0], [1, 1]]\n"),

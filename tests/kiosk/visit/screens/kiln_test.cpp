@@ -118,7 +118,7 @@ TEST(KilnScreen, APotThatTheVisitorGlazedIsNotOfferedNoGlaze) {
               v.visit->control("kiln.glaze." + std::to_string(n)).has_value();
     EXPECT_EQ(none, glazed ? 0 : 1);
     EXPECT_TRUE(v.visit->control(v.visit->focus()) || v.visit->focus().empty());
-    EXPECT_EQ(words_in(v.frame).find("Choose what your glaze melts to.") != std::string::npos,
+    EXPECT_EQ(words_in(v.frame).find("Choose the colour of your glaze.") != std::string::npos,
               glazed);
   }
 }
