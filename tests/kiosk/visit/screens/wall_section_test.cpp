@@ -87,6 +87,7 @@ TEST(WallSection, AGlazeHasTheColourThatItHasOnThePot) {
                              full = seen_through(brown, brown.body, false, 5e-4);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_LT(thin[k], brown.body[k]);
+    EXPECT_GT(thin[k], full[k]) << "a thin coat takes less light";
     EXPECT_NEAR(full[k], brown.body[k] * std::pow(brown.glass[k], 1.15f), 1e-5f) << "not the glass";
   }
   brown.slip_cover = 1.0f, brown.slip = {0.8f, 0.8f, 0.8f};
