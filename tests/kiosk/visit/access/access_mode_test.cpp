@@ -20,6 +20,12 @@ constexpr double kHold = 3.0, kPxPerMm = 2.4;
 /// Somebody who goes through the assistant.
 struct Aided {
   Aided() : v(9, nullptr, true), assistant(kHold) {}
+  void begin_by_one_switch() {
+    v.exhibit.screen.one_switch = true;
+    wait(0.1);
+    event(Kind::pointer_down, 600, 300), event(Kind::pointer_up, 600, 300);
+    wait(0.2);
+  }
   void wait(double seconds) {
     for (const double until = v.now + seconds; v.now < until - 1e-9;) {
       v.show();
@@ -222,10 +228,7 @@ TEST(AccessMode, AFingerThatIsHeldOnTheClayWorksAndHasNothingRead) {
 
 TEST(AccessMode, ATouchOnItsOwnRowTurnsTheOneSwitchOff) {
   Aided a;
-  a.v.exhibit.screen.one_switch = true;
-  a.wait(0.1);
-  a.event(Kind::pointer_down, 600, 300), a.event(Kind::pointer_up, 600, 300);
-  a.wait(0.2);
+  a.begin_by_one_switch();
   a.v.visit->activate("comfort", a.v.now);
   a.wait(0.2);
   const auto row = a.v.visit->control("comfort.one_switch");
@@ -239,10 +242,7 @@ TEST(AccessMode, ATouchOnItsOwnRowTurnsTheOneSwitchOff) {
 
 TEST(AccessMode, APressOverTheWarningStaysAndPressesNothingElse) {
   Aided a;
-  a.v.exhibit.screen.one_switch = true;
-  a.wait(0.1);
-  a.event(Kind::pointer_down, 600, 300), a.event(Kind::pointer_up, 600, 300);
-  a.wait(0.2);
+  a.begin_by_one_switch();
   a.v.frames(a.v.exhibit.idle.warn_after + 62);
   a.wait(0.1);
   ASSERT_TRUE(a.v.visit->idle_warning());
