@@ -93,6 +93,12 @@ class House(unittest.TestCase):
         self.write("engine/profile/b.cpp", "void f() {\n  if (kMost == 3) return;\n}\n")
         self.assertEqual(self.check("unity"), [])
 
+    def test_a_test_of_the_engine_is_in_a_namespace_of_its_files_name(self):
+        self.write("tests/engine/clay/row_test.cpp", "namespace onggi::clay {\nnamespace {\n")
+        self.assert_broken("unity", "tests/engine/clay/row_test.cpp", "namespace onggi::row_test {")
+        self.write("tests/engine/clay/row_test.cpp", "namespace onggi::clay::row_test {\nnamespace {\n")
+        self.assertEqual(self.check("unity"), [])
+
     def test_effects_and_force_do_not_meet(self):
         self.write("engine/force/guard.cpp", '  #  include "engine/effects/slump.h"\n')
         self.assert_broken("includes", "engine/force/guard.cpp:1", "engine/effects")

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace onggi {
+namespace onggi::field_check_test {
 namespace {
 
 TEST(FieldCheck, NamesTheFirstWrongFieldItsMeaningAndARemedy) {
@@ -40,4 +40,4 @@ TEST(FieldCheck, NotANumberIsOutsideEveryRange) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::field_check_test

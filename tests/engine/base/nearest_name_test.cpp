@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace onggi {
+namespace onggi::nearest_name_test {
 namespace {
 
 const std::vector<std::string> kNothing, kHeight{"height"};
@@ -43,4 +43,4 @@ TEST(nearest_name, names_are_joined_with_commas) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::nearest_name_test

@@ -4,7 +4,7 @@
 
 #include "engine/base/result.h"
 
-namespace onggi::terminal {
+namespace onggi::terminal::plain_text_test {
 namespace {
 
 TEST(PlainText, WordsOfAnyLanguageStayAsTheyAre) {
@@ -59,4 +59,4 @@ TEST(PlainText, ColumnsAreCountedAsTheyAreSet) {
 }
 
 }  // namespace
-}  // namespace onggi::terminal
+}  // namespace onggi::terminal::plain_text_test

@@ -6,7 +6,7 @@
 
 #include "engine/clay/clay_view.h"
 
-namespace onggi {
+namespace onggi::clay_capacity_test {
 namespace {
 
 constexpr double kTurn = 2.0 * 3.14159265358979323846;
@@ -93,4 +93,4 @@ TEST(Capacity, OfRowsThatAreNotEvenlyHighIsTheSame) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::clay_capacity_test

@@ -8,7 +8,7 @@
 #include "engine/clay/lip.h"
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi {
+namespace onggi::clay_mesh_test {
 namespace {
 
 Clay lump(const ClayDef& def) { return std::move(*Clay::create(def)); }
@@ -129,4 +129,4 @@ TEST(ClayMesh, FollowsRowsPressedTogetherAndAFloorThatSank) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::clay_mesh_test

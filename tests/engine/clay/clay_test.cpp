@@ -10,7 +10,7 @@
 
 #include "engine/math/portable.h"
 
-namespace onggi {
+namespace onggi::clay_test {
 namespace {
 
 Clay lump(const ClayDef& def = {}) {
@@ -185,4 +185,4 @@ TEST(Clay, AFloorThatIsPutBackStaysWithinTheRowsThatThereAreNow) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::clay_test

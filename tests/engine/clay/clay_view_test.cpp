@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace onggi {
+namespace onggi::clay_view_test {
 namespace {
 
 ClayDef grid(int rows = 100, int sectors = 16) {
@@ -133,4 +133,4 @@ TEST(ClayView, WhoHasSeenItKnowsWhichRowsAreNew) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::clay_view_test

@@ -8,7 +8,7 @@
 #include "engine/math/random.h"
 #include "tests/support/clay_shape.h"
 
-namespace onggi::clay {
+namespace onggi::clay::history_test {
 namespace {
 
 ClayDef small() {
@@ -199,4 +199,4 @@ RC_GTEST_PROP(HistoryProperty, ComesBackToAShapeThatWasThereWhateverIsDone, ()) 
 }
 
 }  // namespace
-}  // namespace onggi::clay
+}  // namespace onggi::clay::history_test

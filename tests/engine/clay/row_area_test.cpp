@@ -7,7 +7,7 @@
 
 #include "engine/math/random.h"
 
-namespace onggi::clay {
+namespace onggi::clay::row_area_test {
 namespace {
 
 TEST(RowArea, IsTheRingsOfAllElementsTheSameBitsOnAllVectors) {
@@ -31,4 +31,4 @@ TEST(RowArea, IsTheRingsOfAllElementsTheSameBitsOnAllVectors) {
 }
 
 }  // namespace
-}  // namespace onggi::clay
+}  // namespace onggi::clay::row_area_test

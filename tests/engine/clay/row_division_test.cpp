@@ -9,7 +9,7 @@
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
 
-namespace onggi::clay {
+namespace onggi::clay::row_division_test {
 namespace {
 
 constexpr int kSpareRows = 60;
@@ -270,4 +270,4 @@ TEST(RowDivision, HistoryGivesBackEveryStrokeToTheBit) {
 }
 
 }  // namespace
-}  // namespace onggi::clay
+}  // namespace onggi::clay::row_division_test

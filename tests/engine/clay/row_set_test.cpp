@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-namespace onggi {
+namespace onggi::row_set_test {
 namespace {
 
 std::vector<int> taken(RowSet rows) {
@@ -112,4 +112,4 @@ RC_GTEST_PROP(RowSetProperty, OpensAndClosesPlacesAsASetOfNumbersDoes, ()) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::row_set_test

@@ -11,7 +11,7 @@
 #include "engine/math/portable.h"
 #include "tests/support/sphere.h"
 
-namespace onggi::contact {
+namespace onggi::contact::ball_window_test {
 namespace {
 
 using body::cross_section;
@@ -191,4 +191,4 @@ TEST(CrossSection, KeepsItsDigitsNearThePolesWhereTheSquaresCancel) {
 }
 
 }  // namespace
-}  // namespace onggi::contact
+}  // namespace onggi::contact::ball_window_test

@@ -12,7 +12,7 @@
 
 // A tool that touches nothing feels nothing. How far it is from the clay is worked out here, from
 // the tools' measures and the pot's: nothing of the engine is asked.
-namespace onggi {
+namespace onggi::clear_tools_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -174,4 +174,4 @@ TEST(ClearTools, ARibBesideTheWallIsNotFeltAsItRisesAboveTheRim) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::clear_tools_test

@@ -14,7 +14,7 @@
 
 // Clay that keeps its shape takes nothing and gives nothing: what a hand puts in on a closed path
 // it gets back, whatever the path.
-namespace onggi {
+namespace onggi::closed_paths_test {
 namespace {
 
 constexpr double kRadius = 0.008;
@@ -316,4 +316,4 @@ TEST(ClosedPaths, ABallThatShovesTheRimBeforeItFindsNoStepOverIt) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::closed_paths_test

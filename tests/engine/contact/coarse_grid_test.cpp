@@ -9,7 +9,7 @@
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
 
-namespace onggi {
+namespace onggi::coarse_grid_test {
 namespace {
 
 constexpr Yielding kClay{0.00949, 5e6};
@@ -89,4 +89,4 @@ TEST(CoarseGrid, NoBodyOfAnySizePullsAnElementThroughTheAxis) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::coarse_grid_test

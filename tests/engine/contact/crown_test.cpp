@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::contact {
+namespace onggi::contact::crown_test {
 namespace {
 
 // A row's bounds are loose after a press or an undo, and are measured again one row a tick. The
@@ -26,4 +26,4 @@ TEST(Crown, ThePushDoesNotDependOnWhatIsKnownOfTheRowsBounds) {
 }
 
 }  // namespace
-}  // namespace onggi::contact
+}  // namespace onggi::contact::crown_test

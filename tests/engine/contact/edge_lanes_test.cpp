@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::ONGGI_LANES {
+namespace onggi::ONGGI_LANES::edge_lanes_test {
 namespace {
 
 double edge(double press, double out, double in) {
@@ -149,4 +149,4 @@ TEST(Edge, NeighboursGoOnRoundTheTurnPastItsPadding) {
 }
 
 }  // namespace
-}  // namespace onggi::ONGGI_LANES
+}  // namespace onggi::ONGGI_LANES::edge_lanes_test

@@ -10,7 +10,7 @@
 #include "engine/math/portable.h"
 #include "tests/support/sphere.h"
 
-namespace onggi {
+namespace onggi::floor_test {
 namespace {
 
 constexpr double kTau = 0.00949;
@@ -241,4 +241,4 @@ TEST(Press, OfFirmClayWallsGoAsAWholeAndTheFloorGivesNoWayWhereverItEnds) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::floor_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace onggi::contact {
+namespace onggi::contact::kernels_test {
 namespace {
 
 TEST(Extent, IsThatOfTheRowsOwnElementsAndNotOfItsNeighbours) {
@@ -28,4 +28,4 @@ TEST(Extent, IsThatOfTheRowsOwnElementsAndNotOfItsNeighbours) {
 }
 
 }  // namespace
-}  // namespace onggi::contact
+}  // namespace onggi::contact::kernels_test

@@ -9,7 +9,7 @@
 
 // What goes wrong where the paper leaves a question open, each with the corrected model's answer
 // beside it. Numbers are those of the table in engine/docs/paper.md.
-namespace onggi {
+namespace onggi::paper_gaps_test {
 namespace {
 
 using namespace papers_pot;
@@ -97,4 +97,4 @@ TEST(Paper20, ClayVanishesUnderTheTool) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::paper_gaps_test

@@ -10,7 +10,7 @@
 
 // That the printed equations are what runs: one element after another against figures worked out by
 // hand, from the points E1, E2 and M themselves.
-namespace onggi {
+namespace onggi::paper_model_test {
 namespace {
 
 using namespace papers_pot;
@@ -146,4 +146,4 @@ TEST(PaperFilter, AFilterThatIsSettledGivesNothingForNothing) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::paper_model_test

@@ -13,7 +13,7 @@
 
 // What goes wrong with the equations as printed, each with the corrected model's answer beside it.
 // Numbers are those of the table in engine/docs/paper.md.
-namespace onggi {
+namespace onggi::paper_test {
 namespace {
 
 using namespace papers_pot;
@@ -210,4 +210,4 @@ TEST(Paper22, OneSampleOnTheAxisOrNotANumberSilencesTheHandForGood) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::paper_test

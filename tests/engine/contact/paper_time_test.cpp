@@ -9,7 +9,7 @@
 
 // What goes wrong in time with the equations as printed, each with the corrected model's answer
 // beside it. Numbers are those of the table in engine/docs/paper.md.
-namespace onggi {
+namespace onggi::paper_time_test {
 namespace {
 
 using namespace papers_pot;
@@ -144,4 +144,4 @@ TEST(Paper14, ALightToolOnASpringRunsAwayThroughTheFilter) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::paper_time_test

@@ -11,7 +11,7 @@
 #include "engine/math/vectors.h"
 #include "tests/support/sphere.h"
 
-namespace onggi {
+namespace onggi::press_test {
 namespace {
 
 constexpr double kTau = 0.00949;
@@ -391,4 +391,4 @@ TEST(Depth, IsTheDeepestElementAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::press_test

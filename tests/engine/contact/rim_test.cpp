@@ -13,7 +13,7 @@
 #include "engine/math/random.h"
 #include "tests/support/sphere.h"
 
-namespace onggi {
+namespace onggi::rim_test {
 namespace {
 
 constexpr double kTau = 0.00949;
@@ -343,4 +343,4 @@ TEST(Paper19, NoRimGoesDown) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::rim_test

@@ -10,7 +10,7 @@
 #include "engine/math/unit.h"
 #include "tests/support/any_direction.h"
 
-namespace onggi::contact {
+namespace onggi::contact::solid_window_test {
 namespace {
 
 Vec3 turned(Vec3 v, double angle) {
@@ -135,4 +135,4 @@ TEST(SolidWindow, PlansRowsThatAnUprightBlockCutsAlikeAsIfEachWereAsked) {
 }
 
 }  // namespace
-}  // namespace onggi::contact
+}  // namespace onggi::contact::solid_window_test

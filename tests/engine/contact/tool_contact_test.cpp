@@ -10,7 +10,7 @@
 #include "tests/engine/contact/cone.h"
 #include "tests/support/sphere.h"
 
-namespace onggi {
+namespace onggi::tool_contact_test {
 namespace {
 
 constexpr Yielding kClay{0.00949, 5e6};
@@ -309,4 +309,4 @@ TEST(Stops, AFlatStopPushesWithTheVolumeOfTheCoveredCapAndStartsSmoothly) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::tool_contact_test

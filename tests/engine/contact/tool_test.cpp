@@ -7,7 +7,7 @@
 
 #include "tests/support/sphere.h"
 
-namespace onggi {
+namespace onggi::tool_test {
 namespace {
 
 TEST(Sponge, IsABallToTheClay) {
@@ -122,4 +122,4 @@ TEST(LoopTrimmer, GivesTheClayLessTimeThanARib) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::tool_test

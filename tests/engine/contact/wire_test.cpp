@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi {
+namespace onggi::wire_test {
 namespace {
 
 Clay lump(int sectors = 360) {
@@ -155,4 +155,4 @@ TEST(Wire, ANewLumpIsWhole) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::wire_test

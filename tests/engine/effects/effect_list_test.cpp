@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace onggi {
+namespace onggi::effect_list_test {
 namespace {
 
 struct Told {
@@ -60,4 +60,4 @@ TEST(EffectField, EveryNumberHasItsUsualValueAndItsEnds) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::effect_list_test

@@ -8,7 +8,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::friction_test {
 namespace {
 
 TEST(Friction, IsSilentWithoutSlipAndSettlesAtMuTimesN) {
@@ -75,4 +75,4 @@ TEST(Friction, OfAStillHandIsNothingThoughItTremblesByHalfACountOfItsEncoder) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::friction_test

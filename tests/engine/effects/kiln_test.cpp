@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace onggi {
+namespace onggi::kiln_test {
 namespace {
 
 KilnDef kiln(double drying, double firing) {
@@ -73,4 +73,4 @@ TEST(Kiln, FiguresOutOfRangeAreNamedWithARemedy) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::kiln_test

@@ -10,7 +10,7 @@
 
 // What is shared out over ticks is late by a bounded time, on the coarsest grid and on the finest:
 // the table of engine/docs/effects.md.
-namespace onggi::effects {
+namespace onggi::effects::late_test {
 namespace {
 
 struct Grid {
@@ -191,4 +191,4 @@ TEST(Late, RoundsGoByTheClockWhateverTheTick) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::late_test

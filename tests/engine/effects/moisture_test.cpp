@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace onggi::effects {
+namespace onggi::effects::moisture_test {
 namespace {
 
 Clay lump() {
@@ -109,4 +109,4 @@ TEST(Moisture, WetClayGivesWaySoonerAndCarriesThirtyTimesLess) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::moisture_test

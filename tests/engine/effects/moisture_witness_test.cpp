@@ -8,7 +8,7 @@
 #include "tests/engine/effects/random_hands.h"
 #include "tests/engine/effects/witnessed.h"
 
-namespace onggi::effects {
+namespace onggi::effects::moisture_witness_test {
 namespace {
 
 using namespace effects_test;
@@ -157,4 +157,4 @@ TEST(MoistureWitness, WaterThatIsAskedForComesWithBothHandsAndSoaksOnceWhereThey
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::moisture_witness_test

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace onggi::effects {
+namespace onggi::effects::move_face_test {
 namespace {
 
 TEST(MoveFace, AFloorRowHasNoInsideAndAFirmWallGivesNoWay) {
@@ -43,4 +43,4 @@ TEST(MoveFace, AFirmWallsOtherFaceGoesWithItAsFarAsItselfAndASoftOnesByWhatHands
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::move_face_test

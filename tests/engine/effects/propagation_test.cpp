@@ -7,7 +7,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::propagation_test {
 namespace {
 
 using namespace effects_test;
@@ -116,4 +116,4 @@ TEST(Propagation, WithVolumeNoClayIsLostWhateverHandsDo) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::propagation_test

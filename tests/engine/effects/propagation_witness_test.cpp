@@ -9,7 +9,7 @@
 #include "tests/engine/effects/random_hands.h"
 #include "tests/engine/effects/witnessed.h"
 
-namespace onggi::effects {
+namespace onggi::effects::propagation_witness_test {
 namespace {
 
 using namespace effects_test;
@@ -94,4 +94,4 @@ TEST(PropagationWitness, ARowMovesByTheLargestOfEveryRowsPressTimesItsShareUnder
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::propagation_witness_test

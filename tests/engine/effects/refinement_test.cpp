@@ -11,7 +11,7 @@
 #include "tests/engine/effects/random_hands.h"
 #include "tests/support/clay_shape.h"
 
-namespace onggi::effects {
+namespace onggi::effects::refinement_test {
 namespace {
 
 using namespace effects_test;
@@ -351,4 +351,4 @@ TEST(Refinement, AViewOfAPotWhoseRowsDividedIsThatPot) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::refinement_test

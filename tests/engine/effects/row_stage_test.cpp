@@ -4,7 +4,7 @@
 
 #include "engine/effects/effect_list.h"
 
-namespace onggi::effects {
+namespace onggi::effects::row_stage_test {
 namespace {
 
 // A stage that says everything, and the same of which each leaves out one thing.
@@ -68,4 +68,4 @@ TEST(StageWork, AFaceMovedByNoPressGoesWithTheHandOnItAndWhereThereIsNoneWithThe
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::row_stage_test

@@ -7,7 +7,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::slump_test {
 namespace {
 
 using namespace effects_test;
@@ -263,4 +263,4 @@ TEST(Slump, WhateverHandsDoToAWeakPotItStaysWholeAndKeepsItsClay) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::slump_test

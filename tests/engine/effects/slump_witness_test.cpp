@@ -8,7 +8,7 @@
 #include "tests/engine/effects/random_hands.h"
 #include "tests/engine/effects/witnessed.h"
 
-namespace onggi::effects {
+namespace onggi::effects::slump_witness_test {
 namespace {
 
 using namespace effects_test;
@@ -273,4 +273,4 @@ TEST(SlumpWitness, ASolidLumpThatIsSpunTooFastBecomesWiderAndLowerAtItsRate) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::slump_witness_test

@@ -9,7 +9,7 @@
 #include "engine/math/random.h"
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::smoothing_test {
 namespace {
 
 using namespace effects_test;
@@ -272,4 +272,4 @@ TEST(Smoothing, ARibOnAWallThatIsEvenChangesNothingAndTellsNobody) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::smoothing_test

@@ -9,7 +9,7 @@
 #include "tests/engine/effects/random_hands.h"
 #include "tests/engine/effects/witnessed.h"
 
-namespace onggi::effects {
+namespace onggi::effects::smoothing_witness_test {
 namespace {
 
 using namespace effects_test;
@@ -99,4 +99,4 @@ TEST(SmoothingWitness, LinesFadeByTheEquationHoweverShortTheTicksAndFineTheLines
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::smoothing_witness_test

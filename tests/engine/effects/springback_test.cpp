@@ -6,7 +6,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::springback_test {
 namespace {
 
 using namespace effects_test;
@@ -188,4 +188,4 @@ TEST(Springback, WhatHardensForgetsAsFastAsSoftClayComesBack) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::springback_test

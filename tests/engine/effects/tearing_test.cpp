@@ -10,7 +10,7 @@
 #include "engine/math/vectors.h"
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::tearing_test {
 namespace {
 
 using namespace effects_test;
@@ -351,4 +351,4 @@ TEST(Tearing, AThicknessThatNoWallGetsToIsRefusedWithARemedy) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::tearing_test

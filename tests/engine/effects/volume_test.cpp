@@ -7,7 +7,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::volume_test {
 namespace {
 
 using namespace effects_test;
@@ -258,4 +258,4 @@ TEST(Volume, IsTheSameToAMillionthWhateverHandsDoToIt) {
 TEST(Volume, IsTheSameToAMillionthOverAMillionTicks) { expect_clay_kept(small(), 4, 1'000'000); }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::volume_test

@@ -12,7 +12,7 @@
 #include "engine/math/random.h"
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::walls_test {
 namespace {
 
 using namespace effects_test;
@@ -332,4 +332,4 @@ TEST(Walls, WhateverHandsDoNoFaceCrossesTheOther) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::walls_test

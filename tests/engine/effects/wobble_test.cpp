@@ -7,7 +7,7 @@
 
 #include "tests/engine/effects/random_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::wobble_test {
 namespace {
 
 using namespace effects_test;
@@ -188,4 +188,4 @@ TEST(Wobble, ARowThatDividesAndIsJoinedAgainLeavesTheTurnsWhereTheyWere) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::wobble_test

@@ -7,7 +7,7 @@
 #include "tests/engine/effects/random_hands.h"
 #include "tests/support/effect_scenes.h"
 
-namespace onggi {
+namespace onggi::zero_cost_test {
 namespace {
 
 using namespace effects_test;
@@ -58,4 +58,4 @@ TEST(ZeroCost, APresentOneDoesSomething) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::zero_cost_test

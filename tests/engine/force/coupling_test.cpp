@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace onggi::force {
+namespace onggi::force::coupling_test {
 namespace {
 
 constexpr double kTick = 0.001;
@@ -222,4 +222,4 @@ TEST(Coupling, ATouchThatIsNoNumberLetsGo) {
 }
 
 }  // namespace
-}  // namespace onggi::force
+}  // namespace onggi::force::coupling_test

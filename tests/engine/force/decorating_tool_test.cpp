@@ -11,7 +11,7 @@
 #include "engine/force/leather_hand.h"
 #include "engine/math/random.h"
 
-namespace onggi::force {
+namespace onggi::force::decorating_tool_test {
 namespace {
 
 constexpr DecoratingLaw kLaws[] = {DecoratingLaw::cut, DecoratingLaw::scrape, DecoratingLaw::brush,
@@ -203,4 +203,4 @@ TEST(DecoratingTool, TheForceAgainstAHandPassesThroughRestWithoutAStep) {
 }
 
 }  // namespace
-}  // namespace onggi::force
+}  // namespace onggi::force::decorating_tool_test

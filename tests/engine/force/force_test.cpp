@@ -5,7 +5,7 @@
 
 #include "engine/force/guard.h"
 
-namespace onggi::force {
+namespace onggi::force::force_test {
 namespace {
 
 constexpr GuardLimits kLimits{3.3, 600.0, 0.5};
@@ -80,4 +80,4 @@ TEST(Guard, ANumberThatIsNoneTakesTheForceToZeroAtTheSlewLimitAndEngagesAgain) {
 }
 
 }  // namespace
-}  // namespace onggi::force
+}  // namespace onggi::force::force_test

@@ -6,7 +6,7 @@
 
 #include "engine/math/random.h"
 
-namespace onggi::force {
+namespace onggi::force::hand_velocity_test {
 namespace {
 
 constexpr double kCount = 5.5e-5;  // m: the PHANToM Omni's encoder
@@ -93,4 +93,4 @@ TEST(HandVelocity, IsNothingWhereAHandArrives) {
 }
 
 }  // namespace
-}  // namespace onggi::force
+}  // namespace onggi::force::hand_velocity_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::force {
+namespace onggi::force::haptics_test {
 namespace {
 
 constexpr double kMs = 0.001;
@@ -55,4 +55,4 @@ TEST(Haptics, MostDampingIsAQuarterOfWhatItsLagBears) {
 }
 
 }  // namespace
-}  // namespace onggi::force
+}  // namespace onggi::force::haptics_test

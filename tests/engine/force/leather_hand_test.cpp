@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace onggi::force {
+namespace onggi::force::leather_hand_test {
 namespace {
 
 constexpr DecoratingTool kNeedle{DecoratingLaw::cut, 1e-3, 5e-4, 0.0, 0.5};
@@ -126,4 +126,4 @@ TEST(LeatherHand, WithoutAWallAToolOrANumberNothingIsMet) {
 }
 
 }  // namespace
-}  // namespace onggi::force
+}  // namespace onggi::force::leather_hand_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::force {
+namespace onggi::force::overspeed_test {
 namespace {
 
 bool seen(double speed, double seconds, int reports) {
@@ -42,4 +42,4 @@ TEST(Overspeed, AnEncodersStepIsNoSpeed) {
 }
 
 }  // namespace
-}  // namespace onggi::force
+}  // namespace onggi::force::overspeed_test

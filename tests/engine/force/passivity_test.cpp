@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::force {
+namespace onggi::force::passivity_test {
 namespace {
 
 constexpr double kTick = 0.001;
@@ -130,4 +130,4 @@ TEST(Passivity, BeforeTheFirstStepThereIsNoEnergyAndNothingIsAdded) {
 }
 
 }  // namespace
-}  // namespace onggi::force
+}  // namespace onggi::force::passivity_test

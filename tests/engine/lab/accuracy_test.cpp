@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::lab {
+namespace onggi::lab::accuracy_test {
 namespace {
 
 using Model = AccuracySetting::Model;
@@ -120,4 +120,4 @@ TEST(Accuracy, PercentilesAreOfTheValuesThemselves) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::accuracy_test

@@ -11,7 +11,7 @@
 #include "engine/math/random.h"
 
 // The reference in doubles, and the engine's own clay, against what pen and paper give.
-namespace onggi::lab {
+namespace onggi::lab::closed_form_test {
 namespace {
 
 using portable::kPi;
@@ -158,4 +158,4 @@ TEST(ClosedForm, AConicWallWeighsWhatItsClayDoes) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::closed_form_test

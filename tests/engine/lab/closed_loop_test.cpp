@@ -6,7 +6,7 @@
 #include "engine/lab/sampled_theory.h"
 #include "engine/lab/stiffness_limit.h"
 
-namespace onggi::lab {
+namespace onggi::lab::closed_loop_test {
 namespace {
 
 constexpr double kTick = LoopPlan::kSeconds;
@@ -149,4 +149,4 @@ TEST(ClosedLoop, AToolHeldInAWallThatTurnsDoesNotHopOnItsOwnMarks) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::closed_loop_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::test {
+namespace onggi::test::force_quality_test {
 namespace {
 
 /// `seconds` of a sine of `hertz` on a newton, late by `late` ms.
@@ -84,4 +84,4 @@ TEST(ForceQuality, ALumpThatIsCentredUnderTheToolIsSmoothToo) {
 }
 
 }  // namespace
-}  // namespace onggi::test
+}  // namespace onggi::test::force_quality_test

@@ -7,7 +7,7 @@
 #include "engine/lab/scene_fields.h"
 #include "engine/lab/trial_run.h"
 
-namespace onggi::lab {
+namespace onggi::lab::invariant_checker_test {
 namespace {
 
 // A watch that has just seen a good tick of a pot that a hand pressed, and what it then says of the
@@ -181,4 +181,4 @@ TEST(InvariantChecker, FindsWhatIsWrongWithThePrintedModel) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::invariant_checker_test

@@ -8,7 +8,7 @@
 
 // A decorating tool in the loop of device, hand, wire and leather-hard clay.
 
-namespace onggi::lab {
+namespace onggi::lab::leather_loop_test {
 namespace {
 
 using force::DecoratingLaw;
@@ -100,4 +100,4 @@ TEST(LeatherLoop, ACouplingThatADeviceDoesNotBearSwings) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::leather_loop_test

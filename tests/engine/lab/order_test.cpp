@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace onggi::lab {
+namespace onggi::lab::order_test {
 namespace {
 
 RC_GTEST_PROP(Order, WhatFallsByAPowerOfTheStepHasThatOrderAndIsWithinItsUncertainty, ()) {
@@ -30,4 +30,4 @@ TEST(Order, WhatGrowsOrSwingsOrFallsByAnotherPowerIsNotAsymptotic) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::order_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace onggi::lab {
+namespace onggi::lab::recommend_test {
 namespace {
 
 SettingSummary grid(int rows, double us, double mm) {
@@ -91,4 +91,4 @@ TEST(Recommend, ASummaryIsTheWorstOfItsRows) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::recommend_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-namespace onggi::lab {
+namespace onggi::lab::scene_fields_test {
 namespace {
 
 TEST(SceneFields, EndsAreThoseOfTheCheckedRangeAndNoStepBeyond) {
@@ -58,4 +58,4 @@ TEST(SceneFields, AnEffectComesWithWhatItNeedsAndGoesWithWhatNeedsIt) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::scene_fields_test

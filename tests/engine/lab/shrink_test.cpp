@@ -4,7 +4,7 @@
 
 #include "engine/lab/scene_fields.h"
 
-namespace onggi::lab {
+namespace onggi::lab::shrink_test {
 namespace {
 
 TEST(Shrink, EverySimplerTrialIsAScene) {
@@ -88,4 +88,4 @@ TEST(MirrorDifference, IsNoneOfAPotAndItsImageAndSeesADentOnTheWrongSide) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::shrink_test

@@ -7,7 +7,7 @@
 
 #include "engine/lab/scene_fields.h"
 
-namespace onggi::lab {
+namespace onggi::lab::trial_test {
 namespace {
 
 std::vector<TickRecord> records_of(const Trial& trial) {
@@ -111,4 +111,4 @@ TEST(Trial, AMirrorTurnsItselfBack) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::trial_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::lab {
+namespace onggi::lab::witness_test {
 namespace {
 
 std::vector<Witness> all() {
@@ -75,4 +75,4 @@ TEST(Witnesses, StandOnTheirPageWithTheirBounds) {
 }
 
 }  // namespace
-}  // namespace onggi::lab
+}  // namespace onggi::lab::witness_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::checksum {
+namespace onggi::checksum::crc64_test {
 namespace {
 
 std::uint64_t of(const std::string& text) { return crc64(std::as_bytes(std::span(text))); }
@@ -55,4 +55,4 @@ TEST(Crc64, NoticesEveryChangeOfOneByteAndEverySwap) {
 }
 
 }  // namespace
-}  // namespace onggi::checksum
+}  // namespace onggi::checksum::crc64_test

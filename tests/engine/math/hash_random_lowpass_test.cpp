@@ -9,7 +9,7 @@
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
 
-namespace onggi {
+namespace onggi::hash_random_lowpass_test {
 namespace {
 
 TEST(StateHash, OneBitOrAnotherOrderGivesAnotherHash) {
@@ -73,4 +73,4 @@ TEST(Lowpass, SettledAtAValueStaysThere) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::hash_random_lowpass_test

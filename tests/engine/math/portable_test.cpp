@@ -10,7 +10,7 @@
 #include "engine/math/hash.h"
 #include "engine/math/random.h"
 
-namespace onggi {
+namespace onggi::portable_test {
 namespace {
 
 // Largest relative distance of `ours` from libm's `theirs` over 200,000 points of `draw`.
@@ -121,4 +121,4 @@ TEST(Portable, BitsAreTheSameOnEveryMachineAndCompiler) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::portable_test

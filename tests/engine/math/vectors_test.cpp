@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace onggi {
+namespace onggi::vectors_test {
 namespace {
 
 TEST(Vectors, ArraysAreAlwaysThereAndComeLast) {
@@ -30,4 +30,4 @@ TEST(Vectors, EveryKindHasANameOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::vectors_test

@@ -9,7 +9,7 @@
 // come? The limits: RMS under 0.5 % of the height, the axis within 0.5 degrees and 0.5 % of the
 // largest radius.
 
-namespace onggi {
+namespace onggi::accuracy_test {
 namespace {
 
 using shapes::add_handle;
@@ -122,4 +122,4 @@ TEST(Accuracy, decimated_to_five_hundred_triangles) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::accuracy_test

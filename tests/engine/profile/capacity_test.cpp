@@ -5,7 +5,7 @@
 #include "engine/profile/mesh.h"
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi {
+namespace onggi::capacity_test {
 namespace {
 
 constexpr double kPiHere = 3.14159265358979323846;
@@ -40,4 +40,4 @@ TEST(ProfileCapacity, OfWhatIsSolidOrEmptyIsNothing) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::capacity_test

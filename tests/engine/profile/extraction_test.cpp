@@ -9,7 +9,7 @@
 #include "engine/profile/measures.h"
 #include "tests/engine/profile/mean_shapes.h"
 
-namespace onggi {
+namespace onggi::extraction_test {
 namespace {
 
 using shapes::add_handle;
@@ -197,4 +197,4 @@ TEST(Extraction, the_same_mesh_gives_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::extraction_test

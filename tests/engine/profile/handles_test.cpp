@@ -7,7 +7,7 @@
 
 // What stands off a vessel's circle, and what is no circle at all.
 
-namespace onggi {
+namespace onggi::handles_test {
 namespace {
 
 double worst(const Profile& wanted, const Profile& found) {
@@ -71,4 +71,4 @@ TEST(Handles, a_sheared_jar_is_told_what_it_is) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::handles_test

@@ -5,7 +5,7 @@
 
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi {
+namespace onggi::measures_test {
 namespace {
 
 TEST(Measures, callipers_find_height_belly_neck_mouth_and_foot) {
@@ -164,4 +164,4 @@ TEST(Measures, a_pot_too_short_misses_the_top_of_the_outline) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::measures_test

@@ -5,7 +5,7 @@
 #include "engine/math/portable.h"
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi {
+namespace onggi::mesh_test {
 namespace {
 
 TEST(Mesh, a_turned_section_is_watertight_and_faces_outwards) {
@@ -53,4 +53,4 @@ TEST(Mesh, a_solid_body_has_a_flat_top) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::mesh_test

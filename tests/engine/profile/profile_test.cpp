@@ -6,7 +6,7 @@
 
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi {
+namespace onggi::profile_test {
 namespace {
 
 TEST(Profile, radii_are_linear_between_points_and_held_beyond_the_ends) {
@@ -59,4 +59,4 @@ TEST(Profile, what_is_wrong_with_one_is_said_with_the_point) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::profile_test

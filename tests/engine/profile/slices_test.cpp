@@ -8,7 +8,7 @@
 
 #include "engine/math/portable.h"
 
-namespace onggi::extraction {
+namespace onggi::extraction::slices_test {
 namespace {
 
 constexpr std::uint32_t kSectors = 60;
@@ -78,4 +78,4 @@ TEST(Slicer, HoldsNoMoreSegmentsThanItMay) {
 }
 
 }  // namespace
-}  // namespace onggi::extraction
+}  // namespace onggi::extraction::slices_test

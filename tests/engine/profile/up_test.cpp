@@ -7,7 +7,7 @@
 
 // Which end of a scan is up: evidence weighed, never one sign alone.
 
-namespace onggi {
+namespace onggi::up_test {
 namespace {
 
 ExtractedProfile read(const TriangleMesh& mesh) {
@@ -126,4 +126,4 @@ TEST(Up, the_weighing_is_the_same_looked_at_from_either_end) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::up_test

@@ -5,7 +5,7 @@
 
 // "Measured" is said of a height only where both sides of one wall were met there.
 
-namespace onggi {
+namespace onggi::walls_test {
 namespace {
 
 ExtractedProfile read(const TriangleMesh& mesh) {
@@ -86,4 +86,4 @@ TEST(Walls, a_post_on_the_floor_is_no_wall) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::walls_test

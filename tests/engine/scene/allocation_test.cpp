@@ -33,7 +33,7 @@ std::atomic<long> allocated_bytes{0};
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 #endif
 
-namespace onggi {
+namespace onggi::allocation_test {
 namespace {
 
 TEST(Scene, AStepAllocatesNothingWhateverHappensInIt) {
@@ -167,4 +167,4 @@ TEST(Scene, ADefThatIsRefusedAllocatesNoGrid) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::allocation_test

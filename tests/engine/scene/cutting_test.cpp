@@ -8,7 +8,7 @@
 
 // Needle and loop take clay away wherever they meet it: what is missing of the pot's height times
 // its ring is missing of its clay.
-namespace onggi {
+namespace onggi::cutting_test {
 namespace {
 
 Scene pot(const char* tool, double inner) {
@@ -68,4 +68,4 @@ TEST(PushesAside, AFingerOnTheRimLosesNoClay) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::cutting_test

@@ -10,7 +10,7 @@
 // Clay that keeps its shape gives a hand back what the hand put in, whatever the path: also where a
 // wall bends, more at one place than at another. tests/engine/contact/closed_paths_test.cpp has the
 // paths of clay that does not bend.
-namespace onggi {
+namespace onggi::felt_paths_test {
 namespace {
 
 constexpr double kRadius = 0.008;
@@ -111,4 +111,4 @@ TEST(BendingWall, GivesNothingOnPathsWhereItIsThinnerAndWet) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::felt_paths_test

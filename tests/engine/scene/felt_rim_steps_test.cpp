@@ -5,7 +5,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace onggi {
+namespace onggi::felt_rim_steps_test {
 namespace {
 
 // The largest change of a ball's push over two micrometres as it goes up along a face of frozen
@@ -68,4 +68,4 @@ TEST(FeltRimSteps, AWallThatBendsIsFeltWithoutAStepUpToTheRim) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::felt_rim_steps_test

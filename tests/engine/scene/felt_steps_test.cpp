@@ -5,7 +5,7 @@
 
 #include "tests/engine/scene/frozen.h"
 
-namespace onggi {
+namespace onggi::felt_steps_test {
 namespace {
 
 constexpr double kRadius = 0.008;
@@ -99,4 +99,4 @@ TEST(FeltSteps, IsNoMoreSuddenAtTheFloorThanOneThatBearsAnyPush) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::felt_steps_test

@@ -8,7 +8,7 @@
 #include "tests/support/hard_trace.h"
 #include "tests/support/sanitized.h"
 
-namespace onggi {
+namespace onggi::golden_test {
 namespace {
 
 // Hashes are kept in tests/golden. A changed hash means that old replays no longer replay: say why
@@ -43,4 +43,4 @@ TEST(Golden, SoHasWhatAForceDeviceIsGiven) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::golden_test

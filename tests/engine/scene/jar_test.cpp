@@ -9,7 +9,7 @@
 #include "engine/profile/capacity.h"
 #include "engine/scene/lump.h"
 
-namespace onggi {
+namespace onggi::jar_test {
 namespace {
 
 SceneDef with_walls() {
@@ -63,4 +63,4 @@ TEST(Jar, ThatCannotBeIsRefusedWithWhatComesNearest) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::jar_test

@@ -5,7 +5,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace onggi {
+namespace onggi::kiln_scene_test {
 namespace {
 
 std::uint64_t after_a_stroke(const SceneDef& def) {
@@ -47,4 +47,4 @@ TEST(KilnScene, AnAbsentKilnFullOfNonsenseChangesNothing) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::kiln_scene_test

@@ -9,7 +9,7 @@
 #include "engine/scene/wall_ring.h"
 #include "tests/engine/script/vessels.h"
 
-namespace onggi {
+namespace onggi::lump_test {
 namespace {
 
 TEST(WorkspaceScale, BringsAVesselWithinReachAndKeepsItsShape) {
@@ -78,4 +78,4 @@ TEST(Lump, WhereRingsKeepTheirClayAMouthOfHalfTheBellyStaysOpen) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::lump_test

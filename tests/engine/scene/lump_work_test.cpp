@@ -11,7 +11,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace onggi::scene {
+namespace onggi::scene::lump_work_test {
 namespace {
 
 constexpr const char* kNames[kLumpStates] = {"playing", "keeping",   "renewing",
@@ -152,4 +152,4 @@ TEST(LumpWork, WhatAPressedRimWasStillOwedComesToTheClayThatIsTakenBack) {
 }
 
 }  // namespace
-}  // namespace onggi::scene
+}  // namespace onggi::scene::lump_work_test

@@ -8,7 +8,7 @@
 #include "engine/effects/friction.h"
 #include "engine/scene/scene.h"
 
-namespace onggi {
+namespace onggi::paper_scene_test {
 namespace {
 
 SceneDef papers_scene() {
@@ -143,4 +143,4 @@ TEST(Paper22, WithinASceneALiftedHandIsFeltAgain) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::paper_scene_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 // The clock and the grid must not matter: what engine/docs/convergence.md has as a table.
-namespace onggi::refinement {
+namespace onggi::refinement::refinement_test {
 namespace {
 
 void expect_order(const Refined& r, const Apart& least, const std::string& what) {
@@ -42,4 +42,4 @@ TEST(Refinement, ContactAndWallsAreOfSecondOrderInTheTick) {
 }
 
 }  // namespace
-}  // namespace onggi::refinement
+}  // namespace onggi::refinement::refinement_test

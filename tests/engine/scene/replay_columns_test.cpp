@@ -11,7 +11,7 @@
 
 #include "engine/math/random.h"
 
-namespace onggi::replay_bytes {
+namespace onggi::replay_bytes::replay_columns_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -146,4 +146,4 @@ TEST(ReplayColumns, CutOnesAndAFieldThatDoesNotExistAreRefused) {
 }
 
 }  // namespace
-}  // namespace onggi::replay_bytes
+}  // namespace onggi::replay_bytes::replay_columns_test

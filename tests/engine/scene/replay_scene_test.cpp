@@ -8,7 +8,7 @@
 
 #include "engine/scene/replay.h"
 
-namespace onggi {
+namespace onggi::replay_scene_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -208,4 +208,4 @@ TEST(ReplayScene, RowsAreWholeAndASwitchIsOnOrOff) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::replay_scene_test

@@ -14,7 +14,7 @@
 #include "engine/math/random.h"
 #include "engine/scene/replay_bytes.h"
 
-namespace onggi {
+namespace onggi::replay_test {
 namespace {
 
 SceneDef small() {
@@ -319,4 +319,4 @@ TEST(Replay, AnotherHashIsFoundAtItsTick) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::replay_test

@@ -11,7 +11,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace onggi {
+namespace onggi::scene_def_test {
 namespace {
 
 TEST(SceneDef, TheDefaultsAreGood) { EXPECT_TRUE(validate(SceneDef{})); }
@@ -101,4 +101,4 @@ TEST(SceneDef, AnImpossibleLumpIsRefusedWithFieldMeaningAndRemedy) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::scene_def_test

@@ -8,7 +8,7 @@
 #include "engine/math/portable.h"
 #include "engine/math/random.h"
 
-namespace onggi {
+namespace onggi::scene_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -275,4 +275,4 @@ TEST(Scene, AHundredThousandRandomTicksStayFiniteAndWithinEveryLimit) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::scene_test

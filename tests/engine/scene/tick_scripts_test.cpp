@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace onggi {
+namespace onggi::tick_scripts_test {
 namespace {
 
 struct Pass {
@@ -69,4 +69,4 @@ TEST(TickScripts, EveryOneHasItsOwnName) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::tick_scripts_test

@@ -7,7 +7,7 @@
 #include "engine/scene/replay.h"
 #include "engine/scene/scene.h"
 
-namespace onggi {
+namespace onggi::tools_test {
 namespace {
 
 std::uint8_t index_of(const SceneDef& def, std::string_view name) {
@@ -187,4 +187,4 @@ TEST(Wire, ACutIsReplayedBitForBit) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::tools_test

@@ -6,7 +6,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace onggi {
+namespace onggi::two_hands_test {
 namespace {
 
 constexpr double kRadius = 0.008;
@@ -183,4 +183,4 @@ TEST(WheelHead, StopsAToolEvenWhereThePotHasNoFloor) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::two_hands_test

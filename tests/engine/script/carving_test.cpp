@@ -9,7 +9,7 @@
 #include "engine/scene/scene.h"
 #include "tests/support/sanitized.h"
 
-namespace onggi {
+namespace onggi::carving_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -163,4 +163,4 @@ TEST(Carving, WithoutItsToolAScriptSaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::carving_test

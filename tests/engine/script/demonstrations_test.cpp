@@ -11,7 +11,7 @@
 #include "engine/math/vectors.h"
 #include "engine/scene/scene.h"
 
-namespace onggi {
+namespace onggi::demonstrations_test {
 namespace {
 
 // Everything that a scene can have but the kiln, which comes later.
@@ -157,4 +157,4 @@ TEST(Demonstrations, AScriptWhoseToolIsNotToHandIsRefused) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::demonstrations_test

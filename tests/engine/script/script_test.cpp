@@ -12,7 +12,7 @@
 #include "engine/scene/scene.h"
 #include "tests/engine/script/vessels.h"
 
-namespace onggi {
+namespace onggi::script_test {
 namespace {
 
 struct Thrown {
@@ -347,4 +347,4 @@ TEST(Script, EveryScriptCanBeMadeAndNamesAToolAndAnEffectThatThereAre) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::script_test

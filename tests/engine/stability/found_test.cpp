@@ -4,7 +4,7 @@
 
 // What random scenes found, each as small as it got. engine/docs/stability.md says how each was
 // mended.
-namespace onggi::stability {
+namespace onggi::stability::found_test {
 namespace {
 
 SceneDef pot(double outer, double inner, double wall, int rows, int sectors) {
@@ -159,4 +159,4 @@ TEST(Found, AStrawUnderASpongeGetsItsGirthNoSoonerInLongTicksThanInShort) {
 }
 
 }  // namespace
-}  // namespace onggi::stability
+}  // namespace onggi::stability::found_test

@@ -2,7 +2,7 @@
 
 // Where a tool may be that formulas do not like. The printed model stands beside ours where it
 // fails.
-namespace onggi::stability {
+namespace onggi::stability::hard_places_test {
 namespace {
 
 Trial trial(const SceneDef& def, std::vector<Stroke> strokes) {
@@ -171,4 +171,4 @@ TEST(HardPlaces, RowsThatAreThickerThanTheToolIsLarge) {
 }
 
 }  // namespace
-}  // namespace onggi::stability
+}  // namespace onggi::stability::hard_places_test

@@ -6,7 +6,7 @@
 #include "tests/engine/stability/cases.h"
 
 // Scenes at the ends of what validate() accepts, whatever is done in them.
-namespace onggi::stability {
+namespace onggi::stability::hard_scenes_test {
 namespace {
 
 // Hands that go anywhere, for `ticks` ticks.
@@ -150,7 +150,7 @@ TEST(HardScenes, AnyHandsInAnyScene) { any_hands_in_any_scene(20081, 60, 4000); 
 TEST(HardScenes, AnyHandsInAnySceneOnceMore) { any_hands_in_any_scene(20082, 60, 4000); }
 
 }  // namespace
-}  // namespace onggi::stability
+}  // namespace onggi::stability::hard_scenes_test
 
 namespace onggi::lab {
 // How RapidCheck tells of a trial.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 // Times, speeds and numbers that are none. The printed model stands beside ours where it fails.
-namespace onggi::stability {
+namespace onggi::stability::hard_times_test {
 namespace {
 
 // A finger that goes up the wall and down again, from outside and from within.
@@ -187,4 +187,4 @@ TEST(HardTimes, ADayAtTheWheel) {
 }
 
 }  // namespace
-}  // namespace onggi::stability
+}  // namespace onggi::stability::hard_times_test

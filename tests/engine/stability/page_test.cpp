@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-namespace onggi::stability {
+namespace onggi::stability::page_test {
 namespace {
 
 // The cases that engine/docs/stability.md lists, by their names in backticks.
@@ -33,4 +33,4 @@ TEST(Page, NamesEveryCaseAndNoOther) {
 }
 
 }  // namespace
-}  // namespace onggi::stability
+}  // namespace onggi::stability::page_test

@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::brush_test {
 namespace {
 
 /// Mean thickness of slip across a stroke up the pot, at row j, nm; and its width in cells.
@@ -159,4 +159,4 @@ TEST(Brush, LightPressureIsNarrow) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::brush_test

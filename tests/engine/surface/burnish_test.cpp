@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::burnish_test {
 namespace {
 
 TEST(Burnish, ThreePassesPolishAndAFourthAddsNothing) {
@@ -38,4 +38,4 @@ TEST(Burnish, GlazeIsNotPolished) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::burnish_test

@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::coil_test {
 namespace {
 
 TEST(Coil, ABeadStandsAllRoundWithAsManyNailMarksAsAsked) {
@@ -61,4 +61,4 @@ TEST(Coil, WithoutPressureOrWithoutANailItIsPlain) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::coil_test

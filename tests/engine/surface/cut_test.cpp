@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::cut_test {
 namespace {
 
 /// Deepest relief of a row round the sector 0, and the highest.
@@ -167,4 +167,4 @@ TEST(Cut, ASingleTouchLeavesADot) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::cut_test

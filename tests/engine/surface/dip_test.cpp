@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::dip_test {
 namespace {
 
 TEST(Dip, TheCoatGrowsWithTheRootOfTime) {
@@ -73,4 +73,4 @@ TEST(Dip, SlipOverSlipIsAnotherStratum) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::dip_test

@@ -9,7 +9,7 @@
 #include "tests/engine/surface/decorated_pots.h"
 #include "tests/engine/surface/random_strokes.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::even_base_test {
 namespace {
 
 int base_of(const Surface& surface, int j, int i) {
@@ -114,4 +114,4 @@ TEST(EvenBase, APartOfThePotIsThePartOfTheWholeInWhateverOrderItIsRead) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::even_base_test

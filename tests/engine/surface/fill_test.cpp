@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::fill_test {
 namespace {
 
 Station corner(int along, int sector) {
@@ -89,4 +89,4 @@ TEST(Fill, CoversNoResistAndTakesTheShineOff) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::fill_test

@@ -9,7 +9,7 @@
 #include "engine/math/portable.h"
 #include "tests/engine/surface/random_strokes.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::laws_test {
 namespace {
 
 /// Of the pot of TheSameStrokesLeaveTheSameBitsOnEveryMachine: any law that changes its result
@@ -261,4 +261,4 @@ TEST(Laws, AFaultyStrokeSaysWhereAndWhatAndDoesNothing) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::laws_test

@@ -5,7 +5,7 @@
 #include "engine/math/random.h"
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::lay_test {
 namespace {
 
 TEST(Lay, AnyVolumeOfSlipIsThereToTheLastUnit) {
@@ -144,4 +144,4 @@ TEST(Lay, TrimTakesGlazeThenSlipThenClayAndCountsThem) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::lay_test

@@ -6,7 +6,7 @@
 
 #include "engine/math/random.h"
 
-namespace onggi::surface {
+namespace onggi::surface::layer_test {
 namespace {
 
 using Small = Layer<std::uint16_t, 64, 60>;
@@ -87,4 +87,4 @@ TEST(Layer, TheHashTellsOneValueFromAnother) {
 }
 
 }  // namespace
-}  // namespace onggi::surface
+}  // namespace onggi::surface::layer_test

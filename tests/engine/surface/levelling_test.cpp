@@ -7,7 +7,7 @@
 
 #include "engine/math/portable.h"
 
-namespace onggi::surface {
+namespace onggi::surface::levelling_test {
 namespace {
 
 double kept(const LevelKernel& kernel, double phase) {
@@ -84,4 +84,4 @@ TEST(Levelling, ARingHasNoSeam) {
 }
 
 }  // namespace
-}  // namespace onggi::surface
+}  // namespace onggi::surface::levelling_test

@@ -9,7 +9,7 @@
 #include "engine/math/portable.h"
 #include "tests/engine/surface/random_strokes.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::melt_test {
 namespace {
 
 /// Of the pot of TheSameGlazeMeltsToTheSameBitsOnEveryMachine.
@@ -308,4 +308,4 @@ TEST(Melt, AFigureOutOfItsRangeIsOneProblem) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::melt_test

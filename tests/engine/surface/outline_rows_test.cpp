@@ -6,7 +6,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::outline_rows_test {
 namespace {
 
 TEST(Outline, GoesFromTheFootOverTheLipToTheFloorInRowsOfAQuarterMillimetre) {
@@ -86,4 +86,4 @@ TEST(Outline, APotThatCannotBeDecoratedIsOneProblem) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::outline_rows_test

@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::resist_test {
 namespace {
 
 TEST(Resist, CoversItsWidthAndUncoversIt) {
@@ -30,4 +30,4 @@ TEST(Resist, WithoutPressureNothingIsCovered) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::resist_test

@@ -10,7 +10,7 @@
 #include "engine/math/random.h"
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::ribbon_test {
 namespace {
 
 using Counts = std::map<std::pair<int, int>, int>;
@@ -116,4 +116,4 @@ TEST(Ribbon, NothingLeavesTheOutline) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::ribbon_test

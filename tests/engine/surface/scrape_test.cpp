@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::scrape_test {
 namespace {
 
 Stroke flat_groove(const Surface& surface) {
@@ -92,4 +92,4 @@ TEST(Scrape, OutsideTheBladeNothingChanges) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::scrape_test

@@ -6,7 +6,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::smoke_test {
 namespace {
 
 SmokeDef top() {
@@ -59,4 +59,4 @@ TEST(Smoke, TwiceIsOnceAndAnotherSeedIsAnotherFire) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::smoke_test

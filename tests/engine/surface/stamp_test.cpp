@@ -4,7 +4,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::stamp_test {
 namespace {
 
 /// An L: its left side and its foot.
@@ -74,4 +74,4 @@ TEST(Stamp, PressureAndTheWallLimitItsDepth) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::stamp_test

@@ -6,7 +6,7 @@
 
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::station_test {
 namespace {
 
 TEST(Station, AWayHasOneEveryHalfMillimetreAndOneAtItsEnd) {
@@ -84,4 +84,4 @@ TEST(Station, AHandOffThePotIsMovedToItsEnd) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::station_test

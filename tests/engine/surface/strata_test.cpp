@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::surface {
+namespace onggi::surface::strata_test {
 namespace {
 
 TEST(Strata, CodesAreQuarterOctavesFromTwoMicrometresToFourMillimetres) {
@@ -45,4 +45,4 @@ TEST(Strata, ThreeOfThemFitInOneWordWithTheirPigments) {
 }
 
 }  // namespace
-}  // namespace onggi::surface
+}  // namespace onggi::surface::strata_test

@@ -5,7 +5,7 @@
 #include "engine/math/portable.h"
 #include "tests/engine/surface/decorated_pots.h"
 
-namespace onggi::surface_test {
+namespace onggi::surface_test::wipe_test {
 namespace {
 
 Surface glazed(double seconds = 1.0) {
@@ -98,4 +98,4 @@ TEST(Wipe, DryGlazeStays) {
 }
 
 }  // namespace
-}  // namespace onggi::surface_test
+}  // namespace onggi::surface_test::wipe_test

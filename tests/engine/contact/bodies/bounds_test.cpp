@@ -10,7 +10,7 @@
 #include "engine/math/random.h"
 #include "tests/support/any_direction.h"
 
-namespace onggi::body {
+namespace onggi::body::bounds_test {
 namespace {
 
 TEST(Bounds, AnOutlineThatIsNothingButRoundingSpansWhatTheTouchSpans) {
@@ -104,4 +104,4 @@ TEST(Approach, OfWhatLiesNearlyLevelNothingIsTold) {
 }
 
 }  // namespace
-}  // namespace onggi::body
+}  // namespace onggi::body::bounds_test

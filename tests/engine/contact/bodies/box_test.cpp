@@ -7,7 +7,7 @@
 
 #include "tests/engine/contact/bodies/checks.h"
 
-namespace onggi {
+namespace onggi::box_test {
 namespace {
 
 using namespace body_checks;
@@ -64,4 +64,4 @@ TEST(FlatRib, UprightItIsCutAlikeAtEveryHeightAndWorkedOutOnce) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::box_test

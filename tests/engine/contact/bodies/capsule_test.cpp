@@ -7,7 +7,7 @@
 
 #include "tests/engine/contact/bodies/checks.h"
 
-namespace onggi {
+namespace onggi::capsule_test {
 namespace {
 
 using namespace body_checks;
@@ -96,4 +96,4 @@ TEST(SupportEnd, GoesFromOneEndToTheOtherWithinATenthOfSquareAtAnEvenPace) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::capsule_test

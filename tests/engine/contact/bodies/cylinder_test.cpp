@@ -7,7 +7,7 @@
 
 #include "tests/engine/contact/bodies/checks.h"
 
-namespace onggi {
+namespace onggi::cylinder_test {
 namespace {
 
 using namespace body_checks;
@@ -59,4 +59,4 @@ TEST(CurvedRib, RoundTheAxisIsFeltAlikeWhereverItsPrintEndsInTheTurn) {
 }
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::cylinder_test

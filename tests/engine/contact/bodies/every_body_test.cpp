@@ -6,7 +6,7 @@
 
 #include "tests/engine/contact/bodies/checks.h"
 
-namespace onggi {
+namespace onggi::every_body_test {
 namespace {
 
 using namespace body_checks;
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(Tools, EveryBody,
                          [](const auto& each) { return std::string(each.param.tool); });
 
 }  // namespace
-}  // namespace onggi
+}  // namespace onggi::every_body_test
