@@ -93,7 +93,7 @@ class House(unittest.TestCase):
         self.write("engine/profile/b.cpp", "void f() {\n  if (kMost == 3) return;\n}\n")
         self.assertEqual(self.check("unity"), [])
 
-    def test_a_test_of_the_engine_is_in_a_namespace_of_its_files_name(self):
+    def test_a_file_of_tests_is_in_a_namespace_of_its_name(self):
         self.write("tests/engine/clay/row_test.cpp", "namespace onggi::clay {\nnamespace {\n")
         self.assert_broken("unity", "tests/engine/clay/row_test.cpp", "namespace onggi::row_test {")
         self.write("tests/engine/clay/row_test.cpp", "namespace onggi::clay::row_test {\nnamespace {\n")

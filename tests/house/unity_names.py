@@ -1,7 +1,7 @@
 """Constants of a room's sources whose names meet when they are compiled together (ONGGI_UNITY).
 
 Which sources are compiled together changes with their number, so two that clash may meet on any day. house.py calls
-check(). The engine's tests name their lumps and hands alike, so each is in a namespace of its file's name.
+check(). Tests name their lumps and hands alike, so each is in a namespace of its file's name.
 """
 
 import collections
@@ -36,11 +36,11 @@ def check(names, read, room_of):
             if other:
                 broken.append(f"{other[0]}:{other[1]}: {constant} is in {places[0][0]}:{places[0][1]} too, and both may be "
                               "compiled together. Call one otherwise")
-    tests = [n for n in names if n.startswith("tests/engine/") and n.endswith("_test.cpp")]
+    tests = [n for n in names if n.startswith(("tests/engine/", "tests/kiosk/")) and n.endswith("_test.cpp")]
     for name in tests:
         own = os.path.basename(name)[:-len(".cpp")]
         if not any(re.fullmatch(rf"namespace onggi(::\w+)*::{own} {{", line) for line in read(name)):
             broken.append(f"{name}: compiled with other tests, and not in a namespace of its own. "
                           f"Write namespace onggi::{own} {{")
-    return broken, (f"{looked_at} constants have a name of their own in their room's sources, and {len(tests)} tests of the "
-                    "engine a namespace")
+    return broken, (f"{looked_at} constants have a name of their own in their room's sources, and {len(tests)} files of "
+                    "tests a namespace")

@@ -4,7 +4,7 @@
 #include "kiosk/collection/content/pack_writer.h"
 #include "tests/kiosk/collection/content/temporary.h"
 
-namespace onggi::content {
+namespace onggi::content::address_test {
 namespace {
 
 TEST(Address, IsAPageThatAPhoneOpens) {
@@ -92,4 +92,4 @@ TEST_F(AnAddress, OfTheFileItselfIsWrittenByImportAndThatOfAnArchiveOnlyOffered)
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::address_test

@@ -6,7 +6,7 @@
 
 // What the curators' pages in kiosk/docs show must work when it is copied.
 
-namespace onggi::content {
+namespace onggi::content::curators_test {
 namespace {
 
 class CuratorsPage : public Temporary {
@@ -40,4 +40,4 @@ TEST_F(CuratorsPage, its_pack_is_read_without_a_word_of_complaint) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::curators_test

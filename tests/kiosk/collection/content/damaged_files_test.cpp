@@ -10,7 +10,7 @@
 
 // A file that was damaged on the way: a model or a Problem, and nothing else.
 
-namespace onggi::content {
+namespace onggi::content::damaged_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,4 +64,4 @@ TEST_F(DamagedFiles, a_file_compressed_with_draco) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::damaged_files_test

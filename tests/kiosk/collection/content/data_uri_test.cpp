@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace onggi::content {
+namespace onggi::content::data_uri_test {
 namespace {
 
 std::string decoded(std::string uri, std::size_t most = 1000) {
@@ -46,4 +46,4 @@ TEST(DataUri, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::data_uri_test

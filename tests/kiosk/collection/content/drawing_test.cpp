@@ -6,7 +6,7 @@
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/collection/content/temporary.h"
 
-namespace onggi::content {
+namespace onggi::content::drawing_test {
 namespace {
 
 const std::string kHead = "title = \"Cup\"\nsource = \"Drawn for a test\"\nunits = \"mm\"\n";
@@ -131,4 +131,4 @@ TEST_F(DrawingTest, every_drawing_of_the_exhibit_is_sound) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::drawing_test

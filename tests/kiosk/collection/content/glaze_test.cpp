@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/collection/content/temporary.h"
 
-namespace onggi::content {
+namespace onggi::content::glaze_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -110,4 +110,4 @@ TEST_F(GlazeTest, WhatIsNoFileOfGlazesSaysSo) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::glaze_test

@@ -9,7 +9,7 @@
 
 // A glTF in several files becomes one file, and is the same vessel in the same colours.
 
-namespace onggi::content {
+namespace onggi::content::glb_packer_test {
 namespace {
 
 using testing::TexturedScan;
@@ -85,4 +85,4 @@ TEST_F(PackedGlb, has_a_picture_that_is_missing_by_its_name_and_no_buffer_that_i
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::glb_packer_test

@@ -10,7 +10,7 @@
 #include "kiosk/collection/content/glb.h"
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi::content {
+namespace onggi::content::glb_test {
 namespace {
 
 class GlbFiles : public Temporary {};
@@ -64,4 +64,4 @@ TEST_F(GlbFiles, colours_at_the_corners_come_back_as_the_light_they_were) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::glb_test

@@ -16,7 +16,7 @@
 // A scan's own colours: pictures on its surface, colours at its corners, of its materials. Whatever
 // is wrong with them, the vessel stays whole.
 
-namespace onggi::content {
+namespace onggi::content::gltf_coloring_test {
 namespace {
 
 using testing::TexturedScan;
@@ -328,4 +328,4 @@ TEST_F(Colors, what_a_curator_says_goes_before_what_the_scan_shows) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::gltf_coloring_test

@@ -9,7 +9,7 @@
 
 // What Draco holds is what glTF says it is.
 
-namespace onggi::content {
+namespace onggi::content::gltf_draco_test {
 namespace {
 
 class DracoTest : public Temporary {};
@@ -81,4 +81,4 @@ TEST_F(DracoTest, a_file_says_of_each_set_of_places_whether_its_whole_numbers_ar
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::gltf_draco_test

@@ -10,7 +10,7 @@
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/collection/content/temporary.h"
 
-namespace onggi::content {
+namespace onggi::content::gltf_test {
 namespace {
 
 const std::filesystem::path kVessels = "../shared/vessels";
@@ -286,4 +286,4 @@ TEST_F(GltfTest, no_malformed_file_crashes_or_hangs) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::gltf_test

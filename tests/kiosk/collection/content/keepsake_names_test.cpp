@@ -7,7 +7,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::content {
+namespace onggi::content::keepsake_names_test {
 namespace {
 
 const std::vector<std::string> kLanguages{"en", "de", "es", "fr", "ja", "ko", "zh", "ar"};
@@ -103,4 +103,4 @@ TEST_F(SmallNames, WhatIsMissingIsNamed) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::keepsake_names_test

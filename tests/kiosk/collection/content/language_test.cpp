@@ -7,7 +7,7 @@
 #include "tests/kiosk/collection/content/temporary.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::content {
+namespace onggi::content::language_test {
 namespace {
 
 class LanguageTest : public Temporary {};
@@ -141,4 +141,4 @@ TEST_F(LanguageTest, a_key_below_the_wrong_table_is_sent_to_the_right_one) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::language_test

@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/collection/content/temporary.h"
 
-namespace onggi::content {
+namespace onggi::content::lesson_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -86,4 +86,4 @@ TEST_F(LessonTest, AFileWithoutStepsIsNoLessonAndNoMistake) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::lesson_test

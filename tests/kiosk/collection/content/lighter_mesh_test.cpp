@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace onggi::content {
+namespace onggi::content::lighter_mesh_test {
 namespace {
 
 /// A straight pot of 10 cm, a corner for every triangle where `loose`.
@@ -69,4 +69,4 @@ TEST(LighterMesh, TheSameMeshGivesTheSameTriangles) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::lighter_mesh_test

@@ -11,7 +11,7 @@
 
 // OBJ, PLY and STL, as scanners and modelling tools write them: no unit, and z as often up as y.
 
-namespace onggi::content {
+namespace onggi::content::mesh_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,4 +167,4 @@ TEST_F(MeshFiles, one_that_takes_for_ever_is_given_up_and_told_so) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::mesh_file_test

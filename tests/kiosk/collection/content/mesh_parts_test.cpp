@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::content {
+namespace onggi::content::mesh_parts_test {
 namespace {
 
 std::vector<MeshPart> two_parts() {
@@ -66,4 +66,4 @@ TEST(MeshParts, a_refusal_is_told_in_its_own_words) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::mesh_parts_test

@@ -11,7 +11,7 @@
 #include "kiosk/collection/textures/texture_decoder.h"
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi::content {
+namespace onggi::content::model_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ TEST(Model, a_drawing_without_a_section_makes_an_empty_mesh) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::model_test

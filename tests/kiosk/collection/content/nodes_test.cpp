@@ -7,7 +7,7 @@
 
 // Files of several objects that hang on each other: which of them is the vessel.
 
-namespace onggi::content {
+namespace onggi::content::nodes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST_F(Nodes, of_a_set_what_hangs_on_a_vessel_is_left_out_where_it_spoils_it) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::nodes_test

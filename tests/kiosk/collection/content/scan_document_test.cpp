@@ -9,7 +9,7 @@
 // What museums publish beside a scan: manifests after IIIF's own examples, documents after
 // Voyager's schema.
 
-namespace onggi::content {
+namespace onggi::content::scan_document_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -262,4 +262,4 @@ TEST_F(Documents, sayNoMoreThanALabelCanHold) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::scan_document_test

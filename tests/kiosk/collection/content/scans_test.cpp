@@ -12,7 +12,7 @@
 
 // What a museum's own files are like: several objects, metadata, wrong bounds, odd units and axes.
 
-namespace onggi::content {
+namespace onggi::content::scans_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -300,4 +300,4 @@ TEST_F(Scans, an_imported_pack_is_whole_but_for_what_no_file_can_tell) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::scans_test

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace onggi::content {
+namespace onggi::content::screen_model_test {
 namespace {
 
 /// A straight pot of `sectors`, red below and blue above, by a picture of `side` x `side`.
@@ -90,4 +90,4 @@ TEST(ScreenModel, PositionsThatNoTriangleHasAreDropped) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::screen_model_test

@@ -16,7 +16,7 @@
 
 // What the packs of content/vessels say, read without the catalogue.
 
-namespace onggi::content {
+namespace onggi::content::shelf_packs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,4 +192,4 @@ TEST(ShelfPacks, ADecorationIsShownWhereVesselTomlNamesIt) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::shelf_packs_test

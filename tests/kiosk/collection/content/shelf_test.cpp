@@ -17,7 +17,7 @@
 // The shelf that Onggi comes with, as the kiosk opens it. What its packs say is in
 // shelf_packs_test.cpp, and that each GLB is what its drawing makes in model_test.cpp.
 
-namespace onggi::content {
+namespace onggi::content::shelf_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ TEST(Shelf, a_finger_fits_through_every_neck_at_the_size_it_is_played) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::shelf_test

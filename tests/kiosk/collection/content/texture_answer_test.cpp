@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/collection/textures/made_pictures.h"
 
-namespace onggi::content {
+namespace onggi::content::texture_answer_test {
 namespace {
 
 using textures::testing::bytes_of;
@@ -49,4 +49,4 @@ TEST(TextureAnswer, and_the_order_has_each_picture_whole_or_none) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::texture_answer_test

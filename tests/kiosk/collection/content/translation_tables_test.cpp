@@ -7,7 +7,7 @@
 #include "kiosk/collection/settings/mission_file.h"
 #include "tests/kiosk/collection/content/temporary.h"
 
-namespace onggi::content {
+namespace onggi::content::translation_tables_test {
 namespace {
 
 class TranslationTables : public Temporary {
@@ -105,4 +105,4 @@ TEST_F(TranslationTables, that_do_not_fit_or_are_empty_are_named_and_left_out) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::translation_tables_test

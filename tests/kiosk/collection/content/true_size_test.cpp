@@ -10,7 +10,7 @@
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/collection/content/temporary.h"
 
-namespace onggi::content {
+namespace onggi::content::true_size_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ TEST_F(SizedFiles, the_diameter_of_a_pack_scales_it_as_the_height_does) {
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::true_size_test

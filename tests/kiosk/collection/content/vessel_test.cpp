@@ -12,7 +12,7 @@
 #include "tests/kiosk/collection/content/temporary.h"
 #include "tests/support/open_shelf.h"
 
-namespace onggi::content {
+namespace onggi::content::vessel_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -287,4 +287,4 @@ TEST_F(VesselTest, real_vessels_have_the_size_and_the_axis_that_their_list_gives
 }
 
 }  // namespace
-}  // namespace onggi::content
+}  // namespace onggi::content::vessel_test

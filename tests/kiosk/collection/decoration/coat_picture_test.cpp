@@ -8,7 +8,7 @@
 
 #include "engine/surface/laws.h"
 
-namespace onggi::decoration {
+namespace onggi::decoration::coat_picture_test {
 namespace {
 
 using surface::kSectors;
@@ -279,4 +279,4 @@ TEST(CoatPicture, AHeightLeadsToTheRowThatHasIt) {
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::coat_picture_test

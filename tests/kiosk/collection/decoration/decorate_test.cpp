@@ -8,7 +8,7 @@
 
 #include "engine/surface/laws.h"
 
-namespace onggi::decoration {
+namespace onggi::decoration::decorate_test {
 namespace {
 
 using namespace surface;
@@ -197,4 +197,4 @@ TEST(Decorate, AStepThatCannotBeDoneIsNamed) {
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::decorate_test

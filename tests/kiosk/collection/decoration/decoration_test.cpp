@@ -7,7 +7,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::decoration {
+namespace onggi::decoration::decoration_test {
 namespace {
 
 DecorationRead read(const std::string& text) {
@@ -116,4 +116,4 @@ TEST(Smooth, GoesThroughItsPointsAndKeepsCorners) {
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::decoration_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::decoration {
+namespace onggi::decoration::figure_test {
 namespace {
 
 using surface::kSectors;
@@ -88,4 +88,4 @@ TEST(Figure, AStampsPictureIsItsAreas) {
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::figure_test

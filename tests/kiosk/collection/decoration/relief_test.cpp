@@ -6,7 +6,7 @@
 
 #include "engine/surface/laws.h"
 
-namespace onggi::decoration {
+namespace onggi::decoration::relief_test {
 namespace {
 
 /// A straight cup, 50 mm in radius and 60 mm high.
@@ -154,4 +154,4 @@ TEST(Relief, AMeanIsOverTheCellsOfItsField) {
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::relief_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::decoration {
+namespace onggi::decoration::starts_test {
 namespace {
 
 std::vector<Start> of(const std::string& vessel) {
@@ -52,4 +52,4 @@ TEST(Starts, WhatIsWithinABowlIsSaidSo) {
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::starts_test

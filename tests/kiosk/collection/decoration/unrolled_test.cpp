@@ -7,7 +7,7 @@
 #include "engine/profile/extraction.h"
 #include "kiosk/collection/decoration/decorate.h"
 
-namespace onggi::decoration {
+namespace onggi::decoration::unrolled_test {
 namespace {
 
 /// A beaker with a floor, straight walls and a flat rim, 150 mm high.
@@ -121,4 +121,4 @@ TEST(Unrolled, NoTriangleGoesBackOverThePicture) {
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::unrolled_test

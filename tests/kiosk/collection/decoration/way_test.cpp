@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::decoration {
+namespace onggi::decoration::way_test {
 namespace {
 
 const std::vector<std::string> kLanguages{"en", "ko", "es", "fr", "de", "ja", "zh", "ar"};
@@ -281,4 +281,4 @@ TEST(Way, ThatComesWithOnggiIsGoodInEveryLanguageAndNothingInItStandsAlone) {
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::way_test

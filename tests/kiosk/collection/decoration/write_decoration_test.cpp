@@ -10,7 +10,7 @@
 #include "kiosk/collection/decoration/decorate.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::decoration {
+namespace onggi::decoration::write_decoration_test {
 namespace {
 
 DecorationRead read_back(const std::string& text) {
@@ -126,4 +126,4 @@ TEST(WriteDecoration, AMotifThatComesAgainIsWrittenOnceAndOneOfTheSameNameGetsAn
 }
 
 }  // namespace
-}  // namespace onggi::decoration
+}  // namespace onggi::decoration::write_decoration_test

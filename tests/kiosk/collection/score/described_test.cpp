@@ -6,7 +6,7 @@
 
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi::score {
+namespace onggi::score::described_test {
 namespace {
 
 using Described = settings::Mission::Described;
@@ -69,4 +69,4 @@ TEST(Described, OfAPotAreItsHeightAndItsMouth) {
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::described_test

@@ -5,7 +5,7 @@
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/collection/score/every_vessel.h"
 
-namespace onggi::score {
+namespace onggi::score::hardness_test {
 namespace {
 
 Profile of(const std::string& id) {
@@ -43,4 +43,4 @@ TEST(Hardness, TheNextIsTheNearestOnItsSideAndNotItself) {
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::hardness_test

@@ -5,7 +5,7 @@
 #include "kiosk/collection/content/language.h"
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi::score {
+namespace onggi::score::in_words_test {
 namespace {
 
 Profile wider(Profile p, double by) {
@@ -59,4 +59,4 @@ TEST(InWords, what_has_no_figure_is_said_as_it_is) {
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::in_words_test

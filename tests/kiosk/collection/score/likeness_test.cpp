@@ -15,7 +15,7 @@
 
 // The likeness is held to the published measure as its authors define it, written down once more.
 
-namespace onggi::score {
+namespace onggi::score::likeness_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ TEST(Likeness, names_the_neighbour_of_a_vessel_and_none_where_nothing_is_alike) 
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::likeness_test

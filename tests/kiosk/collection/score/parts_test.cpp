@@ -5,7 +5,7 @@
 #include "kiosk/collection/content/language.h"
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi::score {
+namespace onggi::score::parts_test {
 namespace {
 
 Profile wider(Profile p, double by) {
@@ -83,4 +83,4 @@ TEST(Parts, a_part_is_of_the_length_it_is_about) {
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::parts_test

@@ -10,7 +10,7 @@
 // What a score must keep, over every vessel that is there: the exhibit's own and, where they are
 // beside this clone, scans that nobody here made.
 
-namespace onggi::score {
+namespace onggi::score::properties_test {
 namespace {
 
 TEST(ScoreProperties, measures_are_the_same_both_ways_where_neither_has_a_size) {
@@ -330,4 +330,4 @@ TEST(ScoreProperties, a_lip_that_is_rounded_otherwise_makes_no_mouth_too_narrow)
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::properties_test

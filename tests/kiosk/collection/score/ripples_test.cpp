@@ -11,7 +11,7 @@
 #include "kiosk/collection/score/score.h"
 #include "tests/kiosk/collection/score/every_vessel.h"
 
-namespace onggi::score {
+namespace onggi::score::ripples_test {
 namespace {
 
 /// `of` with `by(share of the height)` added to both radii, metres.
@@ -95,4 +95,4 @@ TEST(Ripples, a_shape_that_is_far_out_comes_before_shallow_ripples) {
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::ripples_test

@@ -12,7 +12,7 @@
 #include "tests/engine/profile/shapes.h"
 #include "tests/support/open_shelf.h"
 
-namespace onggi::score {
+namespace onggi::score::score_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -340,4 +340,4 @@ TEST(Score, every_language_of_the_exhibit_has_words_for_every_remark) {
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::score_test

@@ -7,7 +7,7 @@
 
 // The way into a pot, over every vessel that is there: a pot that nothing goes into is none.
 
-namespace onggi::score {
+namespace onggi::score::way_in_test {
 namespace {
 
 /// `from` that is no more open than `left` of its own way in over the top `deep` of the height.
@@ -74,4 +74,4 @@ TEST(WayIn, a_shut_mouth_is_said_first_and_is_not_called_right) {
 }
 
 }  // namespace
-}  // namespace onggi::score
+}  // namespace onggi::score::way_in_test

@@ -12,7 +12,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::settings {
+namespace onggi::settings::exhibit_settings_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -196,4 +196,4 @@ TEST(exhibit_settings, a_switch_is_taken_either_way_and_refused_otherwise) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::exhibit_settings_test

@@ -10,7 +10,7 @@
 #include "tests/kiosk/collection/settings/all_problems.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::settings {
+namespace onggi::settings::exhibit_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -327,4 +327,4 @@ TEST(exhibit, the_exhibit_that_ships_is_without_fault) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::exhibit_test

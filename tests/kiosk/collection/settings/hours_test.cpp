@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 
-namespace onggi::settings {
+namespace onggi::settings::hours_test {
 namespace {
 
 Hours hours(const std::string& every_day) {
@@ -108,4 +108,4 @@ TEST(Hours, WhatIsNoHourOrDateIsRefused) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::hours_test

@@ -8,7 +8,7 @@
 #include "tests/kiosk/collection/settings/all_problems.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::settings {
+namespace onggi::settings::keepsake_place_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ TEST_F(KeepsakePlace, nor_where_no_folder_can_be) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::keepsake_place_test

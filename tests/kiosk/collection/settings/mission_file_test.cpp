@@ -9,7 +9,7 @@
 #include "kiosk/collection/settings/visitor_text.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::settings {
+namespace onggi::settings::mission_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -156,4 +156,4 @@ TEST_F(MissionFile, EyesAndHandsNameAVesselAndWhatTheSecondHas) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::mission_file_test

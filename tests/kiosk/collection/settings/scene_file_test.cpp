@@ -12,7 +12,7 @@
 #include "tests/kiosk/collection/settings/all_problems.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::settings {
+namespace onggi::settings::scene_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -352,4 +352,4 @@ TEST(scene, a_file_that_is_not_there_leaves_the_engines_own_scene) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::scene_file_test

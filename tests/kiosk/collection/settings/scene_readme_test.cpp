@@ -9,7 +9,7 @@
 #include "kiosk/collection/settings/scene_file.h"
 
 // What config/README.md tells of a scene's keys is what the program takes.
-namespace onggi::settings {
+namespace onggi::settings::scene_readme_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ TEST(scene_readme, has_a_row_for_every_key_of_the_first_scene_with_its_value) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::scene_readme_test

@@ -4,7 +4,7 @@
 #include "tests/support/convergence.h"
 
 // The scenes that ship, at other ticks and on other grids: engine/docs/convergence.md.
-namespace onggi::settings {
+namespace onggi::settings::scene_refinement_test {
 namespace {
 
 using refinement::refine_grids;
@@ -42,4 +42,4 @@ TEST(SceneRefinement, ThePrintedModelIsAnotherAtEveryTickAndOnEveryGrid) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::scene_refinement_test

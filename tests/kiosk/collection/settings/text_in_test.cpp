@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::settings {
+namespace onggi::settings::text_in_test {
 namespace {
 
 TEST(Spoken, WordsAreTheLanguagesOwnElseEnglishElseTheFirstElseNone) {
@@ -13,4 +13,4 @@ TEST(Spoken, WordsAreTheLanguagesOwnElseEnglishElseTheFirstElseNone) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::text_in_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::settings {
+namespace onggi::settings::translations_test {
 namespace {
 
 TEST(translations, are_found_by_language_kind_id_and_key_and_come_before_a_things_own_words) {
@@ -18,4 +18,4 @@ TEST(translations, are_found_by_language_kind_id_and_key_and_come_before_a_thing
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::translations_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace onggi::settings {
+namespace onggi::settings::visitor_text_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -111,4 +111,4 @@ TEST(VisitorText, ATranslationMayHaveTwiceTheLettersOfTheEnglishAndTwenty) {
 }
 
 }  // namespace
-}  // namespace onggi::settings
+}  // namespace onggi::settings::visitor_text_test

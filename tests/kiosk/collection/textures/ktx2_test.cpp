@@ -12,7 +12,7 @@
 
 // KTX2 as glTF allows it, against what another decoder makes of the same files (samples/README.md).
 
-namespace onggi::textures {
+namespace onggi::textures::ktx2_test {
 namespace {
 
 using namespace testing;
@@ -97,4 +97,4 @@ TEST(Ktx2, what_gltf_does_not_allow_is_named) {
 }
 
 }  // namespace
-}  // namespace onggi::textures
+}  // namespace onggi::textures::ktx2_test

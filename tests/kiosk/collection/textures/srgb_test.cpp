@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::textures {
+namespace onggi::textures::srgb_test {
 namespace {
 
 // IEC 61966-2-1, by hand: ((0.5 + 0.055) / 1.055)^2.4.
@@ -23,4 +23,4 @@ TEST(Srgb, TheStraightPartMeetsTheCurve) {
 }
 
 }  // namespace
-}  // namespace onggi::textures
+}  // namespace onggi::textures::srgb_test

@@ -6,7 +6,7 @@
 
 // Pictures in scans: of any kind, any size, and of anybody's making.
 
-namespace onggi::textures {
+namespace onggi::textures::texture_decoder_test {
 namespace {
 
 using namespace testing;
@@ -102,4 +102,4 @@ TEST(Textures, damage_is_told_and_never_shown) {
 }
 
 }  // namespace
-}  // namespace onggi::textures
+}  // namespace onggi::textures::texture_decoder_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::arrivals_test {
 namespace {
 
 Arrivals::Read vessel(const std::string& id) {
@@ -58,4 +58,4 @@ TEST(Arrivals, at_the_end_nothing_is_held_back) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::arrivals_test

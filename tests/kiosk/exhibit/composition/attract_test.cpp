@@ -13,7 +13,7 @@
 #include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/support/open_shelf.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::attract_test {
 namespace {
 
 constexpr double kSmooth = 0.0003;  // m: what people call smooth
@@ -192,4 +192,4 @@ TEST(Attract, WhatEffectsDoIsShownSlowlyToo) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::attract_test

@@ -5,7 +5,7 @@
 #include "kiosk/picture/render/portrait.h"
 #include "tests/kiosk/exhibit/composition/no_renderer.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::card_picture_test {
 namespace {
 
 /// Writes down what a frame has to do. A picture's number is how many corners its mesh has.
@@ -56,4 +56,4 @@ TEST(CardPicture, AVesselNeverGetsThePictureOfAnother) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::card_picture_test

@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/program/commands/temporary_exhibit.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::check_exhibit_test {
 namespace {
 
 TEST(CheckExhibit, AskedToStopItComesToNoFurtherVessel) {
@@ -115,4 +115,4 @@ TEST(CheckExhibit, AShelfThatIsAllHiddenIsAProblem) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::check_exhibit_test

@@ -9,7 +9,7 @@
 #include "kiosk/exhibit/composition/check_exhibit.h"
 #include "tests/kiosk/program/commands/temporary_exhibit.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::check_letters_test {
 namespace {
 
 const render::FontCoverage& latin() {
@@ -74,4 +74,4 @@ TEST(CheckLetters, ACheckOfAnExhibitNotesThemAndOfATextOfNothingElseIsNotGood) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::check_letters_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::cones_test {
 namespace {
 
 std::vector<Vec2> along(std::vector<Vec2> corners) { return evenly_along(corners, 201); }
@@ -74,4 +74,4 @@ TEST(Cones, NoMoreZonesThanAreAllowedOrNeeded) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::cones_test

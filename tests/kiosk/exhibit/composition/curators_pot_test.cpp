@@ -8,7 +8,7 @@
 #include "kiosk/ground/files/virtual_display.h"
 #include "tests/kiosk/program/commands/temporary_exhibit.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::curators_pot_test {
 namespace {
 
 using decoration::Step;
@@ -107,4 +107,4 @@ TEST_F(ACurator, IsToldThatTheExhibitHasNoWayForAVessel) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::curators_pot_test

@@ -16,7 +16,7 @@
 // A finger that goes to the line and follows it, from wherever it was set down: the wall never
 // moves the other way.
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::drawn_line_test {
 namespace {
 
 constexpr int kFrameTicks = 20;
@@ -110,4 +110,4 @@ TEST(ALineFollowed, BegunOnTheWheelsHeadNeverMovesTheWallAway) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::drawn_line_test

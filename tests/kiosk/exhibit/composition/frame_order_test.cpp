@@ -18,7 +18,7 @@
 // where their parts have theirs: the counts and the end of a visit in kiosk_test.cpp, the dark
 // frame in night_test.cpp, its sound in sound_order_test.cpp.
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::frame_order_test {
 namespace {
 
 using screens::ScreenId;
@@ -397,4 +397,4 @@ TEST(KioskMembers, WhatIsUsedOutlivesItsUsers) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::frame_order_test

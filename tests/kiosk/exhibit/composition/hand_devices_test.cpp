@@ -9,7 +9,7 @@
 
 #include "kiosk/wheel/loop/stepped_wheel.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::hand_devices_test {
 namespace {
 
 /// A cable that can hang: whoever reads waits until it is let go.
@@ -111,4 +111,4 @@ TEST(HandDevices, WhereNothingIsPluggedInNothingCanHang) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::hand_devices_test

@@ -12,7 +12,7 @@
 #include "tests/kiosk/exhibit/composition/watched_renderer.h"
 #include "tests/kiosk/exhibit/composition/whole_kiosk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::keeping_test {
 namespace {
 
 /// A stepped kiosk whose visitors get pages for their phones, and pictures for the gallery.
@@ -82,4 +82,4 @@ TEST_F(PhoneKiosk, AKeepsakeIsWholeThoughItsVisitorStartsAnewAtOnce) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::keeping_test

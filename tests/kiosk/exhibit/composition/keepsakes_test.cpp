@@ -12,7 +12,7 @@
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::keepsakes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,4 +240,4 @@ TEST(Keepsakes, WhatASaveHeldIsGivenBackWhenItHasEndedAndATidyingThatWaitedForIt
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::keepsakes_test

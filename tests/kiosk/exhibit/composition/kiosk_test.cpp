@@ -15,7 +15,7 @@
 
 // What only the whole kiosk can be asked: that it hands on what one room knows to another.
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::kiosk_test {
 namespace {
 
 using screens::ScreenId;
@@ -134,4 +134,4 @@ TEST(Kiosk, AnExhibitIsOpenedInPagesAnewAndNotInThoseOfTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::kiosk_test

@@ -9,7 +9,7 @@
 #include "engine/profile/capacity.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::missions_test {
 namespace {
 
 class MissionsTest : public ::testing::Test {
@@ -160,4 +160,4 @@ TEST_F(MissionsTest, WhyOneIsNotOfferedIsSaidWithARemedy) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::missions_test

@@ -9,7 +9,7 @@
 
 #include "tests/kiosk/exhibit/composition/one_jar.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::night_test {
 namespace {
 
 settings::Hours daily() {
@@ -225,4 +225,4 @@ TEST_F(DarkKiosk, NothingWithAnEdgeStandsInOnePlaceForHours) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::night_test

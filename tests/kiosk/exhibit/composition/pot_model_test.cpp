@@ -15,7 +15,7 @@
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::pot_model_test {
 namespace {
 
 /// A jar of many colours: a smooth glaze on a rough foot.
@@ -230,4 +230,4 @@ TEST(PotModel, ADecoratedOnesPicturesOfRoughnessAndNormalsAreItsMaterialsAndLieW
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::pot_model_test

@@ -14,7 +14,7 @@
 #include "tests/kiosk/exhibit/composition/no_renderer.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::pot_on_wheel_test {
 namespace {
 
 class Nowhere final : public test::NoRenderer {};
@@ -92,4 +92,4 @@ TEST_F(PotOnWheelTest, ASteppedVisitHasItsPotAtOnce) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::pot_on_wheel_test

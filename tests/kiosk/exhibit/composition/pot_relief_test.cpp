@@ -11,7 +11,7 @@
 #include "kiosk/exhibit/composition/unrolled_pot.h"
 #include "tests/kiosk/keepsake/souvenir/relief_file_on_disk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::pot_relief_test {
 namespace {
 
 using souvenir::test::faces_of;
@@ -190,4 +190,4 @@ TEST(PotRelief, WhatIsFinerThanTheModelOrLowerMovesNothing) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::pot_relief_test

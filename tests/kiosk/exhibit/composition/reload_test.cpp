@@ -10,7 +10,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::reload_test {
 namespace {
 
 using files::test::ScratchFolder;
@@ -200,4 +200,4 @@ TEST(Reload, while_another_is_shown_a_vessel_that_cannot_be_read_keeps_the_museu
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::reload_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::rollout_views_test {
 namespace {
 
 /// Red grows from the left, 0..250; green from the foot up, 0..250.
@@ -122,4 +122,4 @@ TEST(RolloutViews, TheSideViewHasTheOutlineAndTheStripsMiddleBeforeTheEye) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::rollout_views_test

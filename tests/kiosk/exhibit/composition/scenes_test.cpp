@@ -13,7 +13,7 @@
 #include "kiosk/exhibit/tuning/machine.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::scenes_test {
 namespace {
 
 class TunedScenes : public testing::Test {
@@ -88,4 +88,4 @@ TEST(Scenes, ToolsLieInTheOrderOfTheWorkAndReachAsFarAsTheyAreMade) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::scenes_test

@@ -8,7 +8,7 @@
 #include "kiosk/collection/score/score.h"
 #include "tests/support/open_shelf.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::shelf_scores_test {
 namespace {
 
 /// How far the outline of a pot is from that of its vessel, anywhere, in shares of the height.
@@ -62,4 +62,4 @@ TEST(ShelfScores, TheSameHoldsForRealScansThatNobodyHereMade) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::shelf_scores_test

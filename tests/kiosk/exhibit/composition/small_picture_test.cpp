@@ -8,7 +8,7 @@
 
 #include "tests/engine/profile/shapes.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::small_picture_test {
 namespace {
 
 constexpr std::uint8_t kPlaster = 230, kDark = 90;
@@ -85,4 +85,4 @@ TEST(SmallPicture, TheShadowFadesWithoutAStep) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::small_picture_test

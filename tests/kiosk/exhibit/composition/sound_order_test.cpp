@@ -9,7 +9,7 @@
 
 #include "tests/kiosk/exhibit/composition/one_jar.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::sound_order_test {
 namespace {
 
 using screens::ScreenId;
@@ -94,4 +94,4 @@ TEST_F(HeardKiosk, AKilnThatBurnsAtClosingTimeIsSilentInTheDark) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::sound_order_test

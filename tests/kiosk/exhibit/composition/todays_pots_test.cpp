@@ -11,7 +11,7 @@
 #include "tests/kiosk/exhibit/composition/no_renderer.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::todays_pots_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -203,4 +203,4 @@ TEST(TodaysPots, ItsPlasterGoesOverIntoThePages) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::todays_pots_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/exhibit/composition/no_renderer.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::turntable_recorder_test {
 namespace {
 
 constexpr double kAround = 6.283185307179586;
@@ -75,4 +75,4 @@ TEST(TurntableRecorder, EndsWithoutAWordWhenAnotherPotComesOnTheWheel) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::turntable_recorder_test

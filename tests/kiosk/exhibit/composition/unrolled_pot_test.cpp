@@ -9,7 +9,7 @@
 
 #include "engine/surface/surface.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::unrolled_pot_test {
 namespace {
 
 /// A bellied jar with a floor.
@@ -186,4 +186,4 @@ TEST(UnrolledPot, TheRolloutStandsOnItsFootAndReadsAsSeenFromOutside) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::unrolled_pot_test

@@ -5,7 +5,7 @@
 #include "kiosk/keepsake/store/statistics.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::visit_counter_test {
 namespace {
 
 using files::test::ScratchFolder;
@@ -61,4 +61,4 @@ TEST(VisitCounter, AtTheEndWhatTheDiskDidNotTakeIsThereToBeLogged) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::visit_counter_test

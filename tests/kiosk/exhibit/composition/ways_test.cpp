@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::ways_test {
 namespace {
 
 TEST(Ways, EveryVesselOfTheShelfNamesOneThatIsThereAndGlazesThatAre) {
@@ -65,4 +65,4 @@ TEST(Ways, OneThatIsNotThereIsSaidAndTheUsualOneTaken) {
 TEST(Ways, AFolderThatIsNotThereHasNone) { EXPECT_TRUE(read_ways("content/no_ways").ways.empty()); }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::ways_test

@@ -5,7 +5,7 @@
 #include "kiosk/collection/content/language.h"
 #include "kiosk/ground/files/paths.h"
 
-namespace onggi::exhibit {
+namespace onggi::exhibit::words_test {
 namespace {
 
 std::string vessel_line(const std::string& culture, const std::string& date,
@@ -35,4 +35,4 @@ TEST(PostcardWords, AVesselOfOneOrNoWordHasNoEmptyLine) {
 }
 
 }  // namespace
-}  // namespace onggi::exhibit
+}  // namespace onggi::exhibit::words_test

@@ -12,7 +12,7 @@
 #include "kiosk/visit/screens/label.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::rehearsal {
+namespace onggi::rehearsal::aided_visitor_test {
 namespace {
 
 using measure::AidedOutcome;
@@ -204,4 +204,4 @@ TEST(AidedMissions, EachIsDoneWithOneSwitch) {
 }
 
 }  // namespace
-}  // namespace onggi::rehearsal
+}  // namespace onggi::rehearsal::aided_visitor_test

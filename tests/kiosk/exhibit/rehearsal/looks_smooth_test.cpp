@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::rehearsal {
+namespace onggi::rehearsal::looks_smooth_test {
 namespace {
 
 // A pot 0.2 m high whose outer radius at height h is `radius(h)`.
@@ -49,4 +49,4 @@ TEST(Smoothness, ALumpIsAsFarFromItselfAsNothingAndFromATallerOneAsThatIsTaller)
 }
 
 }  // namespace
-}  // namespace onggi::rehearsal
+}  // namespace onggi::rehearsal::looks_smooth_test

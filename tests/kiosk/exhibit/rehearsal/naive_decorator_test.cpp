@@ -8,7 +8,7 @@
 
 #include "kiosk/visit/decorating/touched_place.h"
 
-namespace onggi::rehearsal {
+namespace onggi::rehearsal::naive_decorator_test {
 namespace {
 
 Profile a_pot() {
@@ -105,4 +105,4 @@ TEST(NaiveDecorator, EachOfThemHasAWay) {
 }
 
 }  // namespace
-}  // namespace onggi::rehearsal
+}  // namespace onggi::rehearsal::naive_decorator_test

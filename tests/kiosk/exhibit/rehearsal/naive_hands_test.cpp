@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace onggi::rehearsal {
+namespace onggi::rehearsal::naive_hands_test {
 namespace {
 
 using view::InputEvent;
@@ -145,4 +145,4 @@ TEST(NaiveHands, TheirTremorIsOfPixelsNotOfCentimetres) {
 }
 
 }  // namespace
-}  // namespace onggi::rehearsal
+}  // namespace onggi::rehearsal::naive_hands_test

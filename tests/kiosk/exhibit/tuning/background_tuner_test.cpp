@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace onggi::tuning {
+namespace onggi::tuning::background_tuner_test {
 namespace {
 
 TunePlan short_plan() {
@@ -33,4 +33,4 @@ TEST(BackgroundTuner, AnExhibitThatIsClosedDoesNotWaitForIt) {
 }
 
 }  // namespace
-}  // namespace onggi::tuning
+}  // namespace onggi::tuning::background_tuner_test

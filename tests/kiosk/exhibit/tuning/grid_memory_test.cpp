@@ -7,7 +7,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::tuning {
+namespace onggi::tuning::grid_memory_test {
 namespace {
 
 class GridMemory : public testing::Test {
@@ -43,4 +43,4 @@ TEST_F(GridMemory, WhatMakesNoSenseIsAsIfNothingWereKept) {
 }
 
 }  // namespace
-}  // namespace onggi::tuning
+}  // namespace onggi::tuning::grid_memory_test

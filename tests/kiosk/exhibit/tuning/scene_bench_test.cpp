@@ -4,7 +4,7 @@
 
 #include "kiosk/exhibit/tuning/machine.h"
 
-namespace onggi::tuning {
+namespace onggi::tuning::scene_bench_test {
 namespace {
 
 TEST(SceneBench, ASceneComesNearerToItsFinestSelfOnFinerGrids) {
@@ -37,4 +37,4 @@ TEST(Machine, HasANameAndCoresAndAClockThatOnlyWorkMoves) {
 }
 
 }  // namespace
-}  // namespace onggi::tuning
+}  // namespace onggi::tuning::scene_bench_test

@@ -8,7 +8,7 @@
 #include "kiosk/collection/settings/scene_file.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::tuning {
+namespace onggi::tuning::scene_writer_test {
 namespace {
 
 using files::test::content;
@@ -56,4 +56,4 @@ TEST_F(SceneWriter, WhatIsNoSceneOrWouldBeNoneStaysAsItWas) {
 }
 
 }  // namespace
-}  // namespace onggi::tuning
+}  // namespace onggi::tuning::scene_writer_test

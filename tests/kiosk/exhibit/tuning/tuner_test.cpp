@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace onggi::tuning {
+namespace onggi::tuning::tuner_test {
 namespace {
 
 // A coarse look: two grids and a rough truth.
@@ -95,4 +95,4 @@ TEST(Tuner, GivenUpItSaysSoAndWithoutGridsThereIsNone) {
 }
 
 }  // namespace
-}  // namespace onggi::tuning
+}  // namespace onggi::tuning::tuner_test

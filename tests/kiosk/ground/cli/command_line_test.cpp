@@ -9,7 +9,7 @@
 #include <streambuf>
 #include <vector>
 
-namespace onggi::cli {
+namespace onggi::cli::command_line_test {
 namespace {
 
 /// A program of two commands, `turn` and `tool sponge`, and what became of its fields.
@@ -227,4 +227,4 @@ TEST_F(CommandLine, what_is_thrown_is_the_programs_fault) {
 }
 
 }  // namespace
-}  // namespace onggi::cli
+}  // namespace onggi::cli::command_line_test

@@ -17,7 +17,7 @@
 #include "kiosk/ground/files/virtual_display.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::files::child_process_test {
 namespace {
 
 using namespace test;
@@ -151,4 +151,4 @@ TEST(child_process, one_that_does_not_mind_a_signal_is_killed_when_patience_ends
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::child_process_test

@@ -6,7 +6,7 @@
 
 #include "kiosk/ground/files/local_time.h"
 
-namespace onggi::files {
+namespace onggi::files::clock_jump_test {
 namespace {
 
 constexpr std::time_t kDay = 24 * 3600;
@@ -47,4 +47,4 @@ TEST(ClockLeap, AStampIsTheTimeThatItWasMadeOfInSummerAndWinter) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::clock_jump_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::files {
+namespace onggi::files::crc32_test {
 namespace {
 
 TEST(Crc32, IsThatOfIeee8023) {
@@ -18,4 +18,4 @@ TEST(Crc32, IsThatOfIeee8023) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::crc32_test

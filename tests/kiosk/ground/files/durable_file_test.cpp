@@ -12,7 +12,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::files::durable_file_test {
 namespace {
 
 using namespace test;
@@ -165,4 +165,4 @@ TEST(durable_file, every_disk_error_has_a_meaning_and_a_remedy) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::durable_file_test

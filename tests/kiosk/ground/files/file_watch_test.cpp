@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::files::file_watch_test {
 namespace {
 
 using files::test::ScratchFolder;
@@ -81,4 +81,4 @@ TEST(file_watch, a_folder_that_is_not_there_is_passed_over) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::file_watch_test

@@ -7,7 +7,7 @@
 #include "kiosk/ground/files/read_file.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::files::files_read_test {
 namespace {
 
 TEST(files_read, a_program_that_writes_no_output_keeps_no_list_of_all_it_ever_read) {
@@ -32,4 +32,4 @@ TEST(files_read, a_program_that_writes_no_output_keeps_no_list_of_all_it_ever_re
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::files_read_test

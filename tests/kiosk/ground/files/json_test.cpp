@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace onggi::files {
+namespace onggi::files::json_test {
 namespace {
 
 TEST(Json, members_keep_their_order_and_a_member_named_twice_is_one) {
@@ -33,4 +33,4 @@ TEST(Json, what_is_no_number_is_null_and_what_is_no_utf8_is_mended) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::json_test

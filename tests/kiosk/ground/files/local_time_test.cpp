@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::files::local_time_test {
 namespace {
 
 TEST(LocalTime, IsWhatAClockOnTheWallOfTheMuseumShows) {
@@ -25,4 +25,4 @@ TEST(LocalTime, IsWhatAClockOnTheWallOfTheMuseumShows) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::local_time_test

@@ -12,7 +12,7 @@
 #include "tests/support/holes.h"
 #include "tests/support/sanitized.h"
 
-namespace onggi::files {
+namespace onggi::files::memory_test {
 namespace {
 
 using onggi::test::Holes;
@@ -57,4 +57,4 @@ TEST(Memory, BelowAnInfiniteLimitNothingIsLocked) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::memory_test

@@ -14,7 +14,7 @@
 #include "kiosk/ground/files/read_file.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::files::output_test {
 namespace {
 
 using namespace test;
@@ -271,4 +271,4 @@ TEST_F(AnOutput, clashes_with_another_of_the_same_file_but_not_of_the_same_devic
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::output_test

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <streambuf>
 
-namespace onggi::files {
+namespace onggi::files::printed_test {
 namespace {
 
 /// A disk that takes `room` bytes, and no more when it is flushed.
@@ -46,4 +46,4 @@ TEST(Printed, AnEarlierFaultIsNotForgotten) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::printed_test

@@ -8,7 +8,7 @@
 #include "kiosk/ground/files/byte_writer.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::files::read_file_test {
 namespace {
 
 using namespace test;
@@ -104,4 +104,4 @@ TEST(ByteWriter, the_lowest_byte_of_a_number_comes_first_and_padding_fills_to_a_
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::read_file_test

@@ -10,7 +10,7 @@
 #include "kiosk/ground/files/zstandard.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::files {
+namespace onggi::files::replay_file_test {
 namespace {
 
 using test::ScratchFolder;
@@ -69,4 +69,4 @@ TEST(ReplayFile, ADamagedFrameIsToldWithItsName) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::replay_file_test

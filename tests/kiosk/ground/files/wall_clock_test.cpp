@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::files {
+namespace onggi::files::wall_clock_test {
 namespace {
 
 TEST(WallClock, IsTheMachinesUntilTimePassesAndThenSoMuchAhead) {
@@ -20,4 +20,4 @@ TEST(WallClock, IsTheMachinesUntilTimePassesAndThenSoMuchAhead) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::wall_clock_test

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace onggi::files {
+namespace onggi::files::zstandard_test {
 namespace {
 
 std::vector<std::byte> some(std::size_t size) {
@@ -43,4 +43,4 @@ TEST(Zstandard, AFrameThatIsTooLargeCutOrDamagedGivesNothing) {
 }
 
 }  // namespace
-}  // namespace onggi::files
+}  // namespace onggi::files::zstandard_test

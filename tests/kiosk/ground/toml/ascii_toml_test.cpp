@@ -7,7 +7,7 @@
 #include "kiosk/ground/toml/toml_reader.h"
 #include "kiosk/ground/toml/toml_text.h"
 
-namespace onggi::toml {
+namespace onggi::toml::ascii_toml_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -111,4 +111,4 @@ TEST(AsciiToml, any_letters_in_any_kind_of_string_come_back_as_they_were_written
 }
 
 }  // namespace
-}  // namespace onggi::toml
+}  // namespace onggi::toml::ascii_toml_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::toml {
+namespace onggi::toml::texts_of_test {
 namespace {
 
 std::vector<TextAt> texts_in(const std::string& toml) {
@@ -33,4 +33,4 @@ TEST(TextsOf, AFileThatIsNoTomlHasNone) {
 }
 
 }  // namespace
-}  // namespace onggi::toml
+}  // namespace onggi::toml::texts_of_test

@@ -11,7 +11,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::toml {
+namespace onggi::toml::toml_reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -396,4 +396,4 @@ TEST_F(TomlReaderTest, no_bytes_at_all_can_end_the_program) {
 }
 
 }  // namespace
-}  // namespace onggi::toml
+}  // namespace onggi::toml::toml_reader_test

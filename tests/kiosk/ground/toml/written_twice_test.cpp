@@ -4,7 +4,7 @@
 
 #include "kiosk/ground/toml/toml_reader.h"
 
-namespace onggi::toml {
+namespace onggi::toml::written_twice_test {
 namespace {
 
 Problem fault(const std::string& text) {
@@ -63,4 +63,4 @@ TEST(WrittenTwice, another_fault_is_none) {
 }
 
 }  // namespace
-}  // namespace onggi::toml
+}  // namespace onggi::toml::written_twice_test

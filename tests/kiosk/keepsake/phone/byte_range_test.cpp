@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace onggi::phone {
+namespace onggi::phone::byte_range_test {
 namespace {
 
 using Kind = ByteRange::Kind;
@@ -61,4 +61,4 @@ TEST(ByteRange, WhereverAPhoneStoppedTheRestIsWhatItLacks) {
 }
 
 }  // namespace
-}  // namespace onggi::phone
+}  // namespace onggi::phone::byte_range_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::phone {
+namespace onggi::phone::connection_shares_test {
 namespace {
 
 TEST(ConnectionShares, IdleOnesOfOneAddressGoBeforeAnybodyElse) {
@@ -135,4 +135,4 @@ TEST(ConnectionShares, NobodyWhoHoldsLittleIsClosedForWhoeverHoldsMuch) {
 }
 
 }  // namespace
-}  // namespace onggi::phone
+}  // namespace onggi::phone::connection_shares_test

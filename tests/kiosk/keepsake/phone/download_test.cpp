@@ -21,7 +21,7 @@
 // Large files, slow phones, ways that break, and who is closed for whom. How long anything takes is
 // tests/bench/phone_day.py.
 
-namespace onggi::phone {
+namespace onggi::phone::download_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -295,4 +295,4 @@ TEST_F(Download, AFolderThatIsALinkIsNotFollowedNorIsThatOfThePasses) {
 }
 
 }  // namespace
-}  // namespace onggi::phone
+}  // namespace onggi::phone::download_test

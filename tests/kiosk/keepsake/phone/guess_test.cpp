@@ -20,7 +20,7 @@
 // All of them ask the function that looks for a pass, on a disk; one in a hundred goes the whole
 // way, by a socket.
 
-namespace onggi::phone {
+namespace onggi::phone::guess_test {
 namespace {
 
 constexpr std::int64_t kNow = 1'780'000'000;
@@ -120,4 +120,4 @@ TEST_F(Guess, NoneOfManyOverASocketHearsAnythingButTheOneAnswer) {
 }
 
 }  // namespace
-}  // namespace onggi::phone
+}  // namespace onggi::phone::guess_test

@@ -9,7 +9,7 @@
 #include "kiosk/keepsake/phone/visitors_page.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::phone {
+namespace onggi::phone::phone_words_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ TEST(PhoneWords, AMuseumsWordsAreTextOnThePageWhateverIsInThem) {
 }
 
 }  // namespace
-}  // namespace onggi::phone
+}  // namespace onggi::phone::phone_words_test

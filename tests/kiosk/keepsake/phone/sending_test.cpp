@@ -9,7 +9,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::phone {
+namespace onggi::phone::sending_test {
 namespace {
 
 class SendingTest : public ::testing::Test {
@@ -77,4 +77,4 @@ TEST_F(SendingTest, AFileThatIsDeletedIsSeenToBeAndOneThatGotShorterEndsTheAnswe
 }
 
 }  // namespace
-}  // namespace onggi::phone
+}  // namespace onggi::phone::sending_test

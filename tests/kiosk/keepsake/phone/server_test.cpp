@@ -10,7 +10,7 @@
 #include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "tests/kiosk/keepsake/phone/phone_fixture.h"
 
-namespace onggi::phone {
+namespace onggi::phone::server_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -301,4 +301,4 @@ TEST_F(PhoneTest, APhoneThatAsksWhetherItsNetworkIsGoodIsToldSoToTheByte) {
 }
 
 }  // namespace
-}  // namespace onggi::phone
+}  // namespace onggi::phone::server_test

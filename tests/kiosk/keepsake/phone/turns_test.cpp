@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::phone {
+namespace onggi::phone::turns_test {
 namespace {
 
 TEST(Turns, AnAddressWithMuchWorkMakesAnotherWaitForOnePiece) {
@@ -67,4 +67,4 @@ TEST(Turns, WorkMayAddWorkAndItComesAfterThatOfOthers) {
 }
 
 }  // namespace
-}  // namespace onggi::phone
+}  // namespace onggi::phone::turns_test

@@ -7,7 +7,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::fetch_note_test {
 namespace {
 
 const std::string kOne(26, 'a'), kTwo(26, '7');
@@ -54,4 +54,4 @@ TEST(FetchNote, WhatIsNoneIsPassedOverAndNothingElseIsWrittenOrRemoved) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::fetch_note_test

@@ -21,7 +21,7 @@
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::keepsake_test {
 namespace {
 
 using namespace files::test;
@@ -420,4 +420,4 @@ TEST(keepsake, a_file_in_the_folders_place_is_told) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::keepsake_test

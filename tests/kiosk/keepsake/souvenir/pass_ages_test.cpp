@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::pass_ages_test {
 namespace {
 
 constexpr std::int64_t kGiven = 1'780'000'000, kAnHour = 3600, kADay = 24 * kAnHour;
@@ -59,4 +59,4 @@ TEST(PassAges, APassWithoutHoursOrWithDatesOfNonsenseIsOver) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::pass_ages_test

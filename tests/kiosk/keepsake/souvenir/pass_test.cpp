@@ -14,7 +14,7 @@
 
 // What a phone is told over a socket is tests/kiosk/keepsake/phone/server_test.cpp.
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::pass_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -254,4 +254,4 @@ TEST_F(PassTest, TheDeskMayWriteAVisitWithASlashAndNamesNoneThatIsNotThereOrALin
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::pass_test

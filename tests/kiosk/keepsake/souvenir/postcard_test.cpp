@@ -8,7 +8,7 @@
 #include "kiosk/picture/view/square_code.h"
 #include "tests/kiosk/keepsake/souvenir/wide_measure.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::postcard_test {
 namespace {
 
 Profile vase(double belly) {
@@ -253,4 +253,4 @@ TEST(Postcard, ReadFromTheRightChangesSidesAndMirrorsNeitherCodeNorDrawing) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::postcard_test

@@ -9,7 +9,7 @@
 #include "kiosk/collection/settings/visitor_text.h"
 #include "tests/kiosk/keepsake/souvenir/wide_measure.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::poster_test {
 namespace {
 
 /// Texts as long as an exhibit may have them.
@@ -82,4 +82,4 @@ TEST(Poster, WithoutAnAddressItHasNoCodeAndItsWordsTheWholeWidth) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::poster_test

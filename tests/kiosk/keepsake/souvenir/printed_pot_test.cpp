@@ -14,7 +14,7 @@
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/keepsake/souvenir/relief_file_on_disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::printed_pot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ TEST_F(PrintedPotTest, nobody_waits_for_a_pipe_nor_follows_a_link) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::printed_pot_test

@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/keepsake/souvenir/relief_file_on_disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::relief_stl_test {
 namespace {
 
 using test::faces_of;
@@ -166,4 +166,4 @@ TEST(ReliefStl, TheSamePotHasTheSameBytesAndItsTitle) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::relief_stl_test

@@ -9,7 +9,7 @@
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::room_test {
 namespace {
 
 using namespace files::test;
@@ -73,4 +73,4 @@ TEST(room, staff_are_told_with_figures_from_half_the_quota_on) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::room_test

@@ -7,7 +7,7 @@
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::small_pot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,4 +112,4 @@ TEST(SmallPot, AKeepsakeIsFoundAsItWasKeptAndGoesWithItsFolder) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::small_pot_test

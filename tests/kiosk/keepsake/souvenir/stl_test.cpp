@@ -29,7 +29,7 @@
 #include "tests/kiosk/ground/files/disk.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::stl_test {
 namespace {
 
 struct Face {
@@ -271,4 +271,4 @@ TEST(stl, a_thrown_pot_is_one_closed_body_for_another_reader_too_in_mm_and_of_th
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::stl_test

@@ -10,7 +10,7 @@
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::souvenir {
+namespace onggi::souvenir::turning_test {
 namespace {
 
 using namespace files::test;
@@ -126,4 +126,4 @@ TEST(TurningPicture, APotTooBusyForTheMostTurnsAsLongInFewerPictures) {
 }
 
 }  // namespace
-}  // namespace onggi::souvenir
+}  // namespace onggi::souvenir::turning_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <string_view>
 
-namespace onggi::store {
+namespace onggi::store::anonymised_statistics_test {
 namespace {
 
 constexpr std::int64_t kFew = AnonymisedStatistics::kLeast;
@@ -351,4 +351,4 @@ TEST(Published, WhereEveryLineIsOneVisitorNotEvenTheLinesAreNamed) {
 }
 
 }  // namespace
-}  // namespace onggi::store
+}  // namespace onggi::store::anonymised_statistics_test

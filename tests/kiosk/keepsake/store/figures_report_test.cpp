@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace onggi::store {
+namespace onggi::store::figures_report_test {
 namespace {
 
 AnonymisedStatistics may() {
@@ -116,4 +116,4 @@ TEST(FiguresReport, WordsStandUnderEachOtherInEveryScript) {
 }
 
 }  // namespace
-}  // namespace onggi::store
+}  // namespace onggi::store::figures_report_test

@@ -8,7 +8,7 @@
 #include "kiosk/keepsake/store/store_thread.h"
 #include "tests/kiosk/keepsake/store/visits.h"
 
-namespace onggi::store {
+namespace onggi::store::statistics_test {
 namespace {
 
 /// Counts visits by hand, in another way than the store does.
@@ -154,4 +154,4 @@ TEST(Statistics, OfDaysWithoutVisitsAreNoughts) {
 }
 
 }  // namespace
-}  // namespace onggi::store
+}  // namespace onggi::store::statistics_test

@@ -7,7 +7,7 @@
 
 namespace fs = std::filesystem;
 
-namespace onggi::store {
+namespace onggi::store::store_copy_test {
 namespace {
 
 std::int64_t visits_in(const fs::path& file) {
@@ -47,4 +47,4 @@ TEST(StoreCopy, ItsFolderIsGoneWithIt) {
 }
 
 }  // namespace
-}  // namespace onggi::store
+}  // namespace onggi::store::store_copy_test

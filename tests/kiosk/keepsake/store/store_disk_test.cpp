@@ -13,7 +13,7 @@
 
 namespace fs = std::filesystem;
 
-namespace onggi::store {
+namespace onggi::store::store_disk_test {
 namespace {
 
 using files::test::in_child;
@@ -191,4 +191,4 @@ TEST(StoreDisk, OnAReadOnlyDiskNothingIsCountedAndThatIsSaidOnceUntilItCanBeWrit
 }
 
 }  // namespace
-}  // namespace onggi::store
+}  // namespace onggi::store::store_disk_test

@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace onggi::store {
+namespace onggi::store::store_thread_test {
 namespace {
 
 TEST(StoreThread, WhatWasHandedOverLastIsOnTheDiskWhenItHasEnded) {
@@ -292,4 +292,4 @@ TEST(StoreThread, AClockThatLeaptYearsAheadForgetsNothingUntilItHasGoneOnForADay
 }
 
 }  // namespace
-}  // namespace onggi::store
+}  // namespace onggi::store::store_thread_test

@@ -13,7 +13,7 @@
 
 namespace fs = std::filesystem;
 
-namespace onggi::store {
+namespace onggi::store::visit_store_test {
 namespace {
 
 VisitStore open(const fs::path& file) {
@@ -331,4 +331,4 @@ TEST(VisitStore, WhatWasSetAsideIsForgottenByItsDayAndNoOtherFileIs) {
 }
 
 }  // namespace
-}  // namespace onggi::store
+}  // namespace onggi::store::visit_store_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::laboratory {
+namespace onggi::laboratory::soak_test {
 namespace {
 
 using namespace commands;
@@ -39,4 +39,4 @@ TEST(Soak, HalfAnHourOfTheMuseumsTakesSecondsAndTouchesNothingButItsOwnFolder) {
 }
 
 }  // namespace
-}  // namespace onggi::laboratory
+}  // namespace onggi::laboratory::soak_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::measure {
+namespace onggi::measure::access_report_test {
 namespace {
 
 ScreenAccess screen(const std::string& name, double capital, double text, double control,
@@ -83,4 +83,4 @@ TEST(AccessReport, FlashesAreToldWhereTheyWereWatchedForAndNowhereElse) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::access_report_test

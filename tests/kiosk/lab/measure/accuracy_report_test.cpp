@@ -7,7 +7,7 @@
 
 #include "kiosk/lab/measure/accuracy_picture.h"
 
-namespace onggi::measure {
+namespace onggi::measure::accuracy_report_test {
 namespace {
 
 using lab::AccuracySetting;
@@ -156,4 +156,4 @@ TEST(AccuracyReport, ThePictureHasThePrintedSettingsHollowAndThoseThatBrokeRinge
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::accuracy_report_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::measure {
+namespace onggi::measure::accuracy_run_test {
 namespace {
 
 using lab::AccuracySetting;
@@ -80,4 +80,4 @@ TEST(AccuracyOrders, InTheTickTheMiddleRuleIsOfSecondOrderAndThePrintedOneOfNone
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::accuracy_run_test

@@ -6,7 +6,7 @@
 
 #include "kiosk/ground/files/virtual_display.h"
 
-namespace onggi::measure {
+namespace onggi::measure::decorated_frames_test {
 namespace {
 
 TEST(ADecoratedFrame, IsTimedBesideAPlainOneInEachWayAndStateAndUnderAMovingLight) {
@@ -36,4 +36,4 @@ TEST(ADecoratedFrame, IsToldByItsShareOverThePlainOne) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::decorated_frames_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::measure {
+namespace onggi::measure::drawn_figures_test {
 namespace {
 
 view::Image filled(int w, int h, std::uint8_t grey) {
@@ -59,4 +59,4 @@ TEST(DrawnFigures, FlashesAreCountedWhereTheyAreDeepAndOften) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::drawn_figures_test

@@ -8,7 +8,7 @@
 #include "kiosk/wheel/device/device_file.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::measure {
+namespace onggi::measure::force_loop_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ TEST(ForceLoop, TheFilesThatShipCarryWhatTheirBodiesBear) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::force_loop_test

@@ -6,7 +6,7 @@
 
 #include "kiosk/ground/files/virtual_display.h"
 
-namespace onggi::measure {
+namespace onggi::measure::frame_load_test {
 namespace {
 
 class AFrameOfTheExhibit : public ::testing::Test {
@@ -75,4 +75,4 @@ TEST_F(AFrameOfTheExhibit, AsksForNothingWhereNothingMoves) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::frame_load_test

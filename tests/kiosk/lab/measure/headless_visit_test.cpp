@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::measure {
+namespace onggi::measure::headless_visit_test {
 namespace {
 
 const HeadlessVisits& visits() {
@@ -52,4 +52,4 @@ TEST(HeadlessVisits, ASceneThatCannotBeReadOpensNoVisits) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::headless_visit_test

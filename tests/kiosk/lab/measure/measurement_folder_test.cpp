@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace onggi::measure {
+namespace onggi::measure::measurement_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,4 +36,4 @@ TEST(MeasurementFolder, WhereNoneCanBeMadeThatIsSaidAndNothingIsCountedElsewhere
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::measurement_folder_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::measure {
+namespace onggi::measure::naive_table_test {
 namespace {
 
 HeadlessOutcome made(const std::string& vessel, double points, double roughness,
@@ -38,4 +38,4 @@ TEST(NaiveTable, TellsTheMiddleTheLeastAndWhoBecameHandsomeInTime) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::naive_table_test

@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-namespace onggi::measure {
+namespace onggi::measure::price_list_test {
 namespace {
 
 // What an effect changes is measured, beside what it costs: nothing of itself, friction of the
@@ -54,4 +54,4 @@ TEST(PriceList, SaysWhenAnEffectCannotHaveCostLessThanNone) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::price_list_test

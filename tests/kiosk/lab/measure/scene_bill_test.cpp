@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace onggi::measure {
+namespace onggi::measure::scene_bill_test {
 namespace {
 
 SceneDef small() {
@@ -111,4 +111,4 @@ TEST(SceneBill, ASceneOfThePrintedModelHasNone) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::scene_bill_test

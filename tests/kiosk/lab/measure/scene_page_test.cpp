@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::measure {
+namespace onggi::measure::scene_page_test {
 namespace {
 
 TEST(ScenePage, ASceneIsToldInItsFilesOwnWordsButForWhereToReadOn) {
@@ -64,4 +64,4 @@ TEST(ScenePage, ASceneInWhichPeopleFailAtFirstSaysSoInWords) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::scene_page_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace onggi::measure {
+namespace onggi::measure::similarity_test {
 namespace {
 
 /// Stripes of `period` pixels, `phase` of them shifted, `contrast` round the middle grey.
@@ -51,4 +51,4 @@ TEST(StructuralSimilarity, NothingToCompareIsNoLikeness) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::similarity_test

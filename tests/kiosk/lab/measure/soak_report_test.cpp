@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace onggi::measure {
+namespace onggi::measure::soak_report_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -79,4 +79,4 @@ TEST(SoakReport, OneThingLostIsEnough) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::soak_report_test

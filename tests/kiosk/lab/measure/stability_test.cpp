@@ -10,7 +10,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::measure {
+namespace onggi::measure::stability_test {
 namespace {
 
 using files::test::content;
@@ -153,4 +153,4 @@ TEST(ReplayCheck, SaysAtWhichTickThePrintedModelBreaksWhat) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::stability_test

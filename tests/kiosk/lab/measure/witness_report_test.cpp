@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace onggi::measure {
+namespace onggi::measure::witness_report_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -45,4 +45,4 @@ TEST(WitnessReport, OfALawThatIsAlteredSaysThatItDoesNotHold) {
 }
 
 }  // namespace
-}  // namespace onggi::measure
+}  // namespace onggi::measure::witness_report_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace onggi::plots {
+namespace onggi::plots::accuracy_chart_test {
 namespace {
 
 std::string text_of(const std::vector<std::byte>& bytes) {
@@ -77,4 +77,4 @@ TEST(AccuracyChart, ASettingBeyondATicksTimeHasItsName) {
 }
 
 }  // namespace
-}  // namespace onggi::plots
+}  // namespace onggi::plots::accuracy_chart_test

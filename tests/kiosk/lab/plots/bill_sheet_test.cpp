@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace onggi::plots {
+namespace onggi::plots::bill_sheet_test {
 namespace {
 
 TEST(BillSheet, ALineMoreMakesItHigherAndWhatIsLessThanNothingHasNoBar) {
@@ -22,4 +22,4 @@ TEST(BillSheet, ALineMoreMakesItHigherAndWhatIsLessThanNothingHasNoBar) {
 }
 
 }  // namespace
-}  // namespace onggi::plots
+}  // namespace onggi::plots::bill_sheet_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::plots {
+namespace onggi::plots::error_pot_test {
 namespace {
 
 TEST(ErrorPot, APotIsAsHighAsAskedStandsOnNothingAndIsColouredByItsErrors) {
@@ -26,4 +26,4 @@ TEST(ErrorPot, TheScaleGoesByDecadesAndBack) {
 }
 
 }  // namespace
-}  // namespace onggi::plots
+}  // namespace onggi::plots::error_pot_test

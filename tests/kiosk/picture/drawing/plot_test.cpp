@@ -11,7 +11,7 @@
 
 #include "kiosk/picture/drawing/plot_scale.h"
 
-namespace onggi::drawing {
+namespace onggi::drawing::plot_test {
 namespace {
 
 using Kind = PlotSeries::Kind;
@@ -167,4 +167,4 @@ TEST(Plot, long_names_a_crowded_legend_and_notes_stay_on_the_paper) {
 }
 
 }  // namespace
-}  // namespace onggi::drawing
+}  // namespace onggi::drawing::plot_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::drawing {
+namespace onggi::drawing::pot_sheet_test {
 namespace {
 
 ScaledPicture even(int width, int height, std::array<int, 3> color, double pixels) {
@@ -124,4 +124,4 @@ TEST(PotSheet, ABowlsWideZonesStillFit) {
 }
 
 }  // namespace
-}  // namespace onggi::drawing
+}  // namespace onggi::drawing::pot_sheet_test

@@ -11,7 +11,7 @@
 
 // The archaeologist's drawing, which needs no display.
 
-namespace onggi::drawing {
+namespace onggi::drawing::vessel_sheet_test {
 namespace {
 
 content::Vessel jug() {
@@ -147,4 +147,4 @@ TEST(VesselSheet, no_number_of_notes_makes_it_taller_than_a_page) {
 }
 
 }  // namespace
-}  // namespace onggi::drawing
+}  // namespace onggi::drawing::vessel_sheet_test

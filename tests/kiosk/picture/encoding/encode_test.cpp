@@ -18,7 +18,7 @@
 #include "kiosk/picture/encoding/picture_bytes.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::encoding {
+namespace onggi::encoding::encode_test {
 namespace {
 
 using namespace files::test;
@@ -347,4 +347,4 @@ TEST(encode_helper, an_order_that_makes_no_sense_ends_with_a_reason) {
 }
 
 }  // namespace
-}  // namespace onggi::encoding
+}  // namespace onggi::encoding::encode_test

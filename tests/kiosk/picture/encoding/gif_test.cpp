@@ -9,7 +9,7 @@
 
 #include "tests/kiosk/picture/encoding/shown_gif.h"
 
-namespace onggi::encoding {
+namespace onggi::encoding::gif_test {
 namespace {
 
 std::vector<std::uint8_t> joined(const Pictures& pictures) {
@@ -158,4 +158,4 @@ TEST(Gif, TheSamePicturesGiveTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace onggi::encoding
+}  // namespace onggi::encoding::gif_test

@@ -9,7 +9,7 @@
 #include "tests/kiosk/ground/files/scratch_folder.h"
 #include "tests/kiosk/picture/render/studio_fixture.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::calls_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -231,4 +231,4 @@ TEST_F(FrameWorkOf, ShadersAreCountedOnlyWhenAsked) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::calls_test

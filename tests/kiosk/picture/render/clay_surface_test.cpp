@@ -6,7 +6,7 @@
 #include "tests/kiosk/picture/render/studio_fixture.h"
 #include "tests/kiosk/picture/render/texels.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::clay_surface_test {
 namespace {
 
 constexpr int kRows = 90, kSectors = 128;
@@ -173,4 +173,4 @@ TEST_F(TheClaysRadii, BelowWhatIsSeenIntoThePotAreNotSeen) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::clay_surface_test

@@ -9,7 +9,7 @@
 #include "kiosk/collection/decoration/decorate.h"
 #include "tests/kiosk/picture/render/decorated_jar.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::coat_texture_test {
 namespace {
 
 constexpr double kTall = 0.18;
@@ -402,4 +402,4 @@ TEST_F(Decorated, AStrokeIsSeenInTheNextFrame) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::coat_texture_test

@@ -8,7 +8,7 @@
 #include "tests/kiosk/picture/render/decorated_jar.h"
 #include "tests/kiosk/picture/render/edges_fixture.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::edges_test {
 namespace {
 
 double edged_jar(double t) { return 0.045 + 0.035 * std::sin(0.4 + 2.5 * t); }
@@ -245,4 +245,4 @@ TEST_F(AnEdge, CostsFewShaderRuns) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::edges_test

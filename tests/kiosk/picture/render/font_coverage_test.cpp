@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace onggi::render {
+namespace onggi::render::font_coverage_test {
 namespace {
 
 using Letters = std::vector<char32_t>;
@@ -49,4 +49,4 @@ TEST(FontCoverage, ABoxStandsForEachLetterThatNoFontHas) {
 }
 
 }  // namespace
-}  // namespace onggi::render
+}  // namespace onggi::render::font_coverage_test

@@ -5,7 +5,7 @@
 #include "kiosk/picture/view/palette.h"
 #include "tests/kiosk/picture/render/studio_fixture.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::frame_test {
 namespace {
 
 using AFrame = StudioTest;
@@ -370,4 +370,4 @@ TEST_F(AFrame, APotThatFadesIsNoWindowOntoItsOwnShadow) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::frame_test

@@ -11,7 +11,7 @@
 // Pictures for people to look at ($ONGGI_GALLERY names the folder), with the few things about them
 // that a program can tell.
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::gallery_test {
 namespace {
 
 using Gallery = StudioTest;
@@ -270,4 +270,4 @@ TEST_F(Gallery, VesselsThatNobodyHereMade) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::gallery_test

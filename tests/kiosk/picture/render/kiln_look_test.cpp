@@ -7,7 +7,7 @@
 
 // What a pot looks like as it dries, is cut open, and is fired.
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::kiln_look_test {
 namespace {
 
 using KilnLook = StudioTest;
@@ -208,4 +208,4 @@ TEST_F(KilnLook, TheCutAwayShowsTheWallAsThickAsItIsWhileItThins) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::kiln_look_test

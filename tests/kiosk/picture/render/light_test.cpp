@@ -7,7 +7,7 @@
 #include "kiosk/picture/render/portrait.h"
 #include "kiosk/picture/render/studio.h"
 
-namespace onggi::render {
+namespace onggi::render::light_test {
 namespace {
 
 glm::vec3 white(glm::vec3) { return glm::vec3(1.0f); }
@@ -91,4 +91,4 @@ TEST(LevelsOf, ASolidLumpHasNoInside) {
 }
 
 }  // namespace
-}  // namespace onggi::render
+}  // namespace onggi::render::light_test

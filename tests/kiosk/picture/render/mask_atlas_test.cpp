@@ -7,7 +7,7 @@
 #include "tests/kiosk/picture/render/studio_fixture.h"
 #include "tests/kiosk/picture/render/texels.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::mask_atlas_test {
 namespace {
 
 class AMask : public StudioTest {
@@ -72,4 +72,4 @@ TEST_F(AMask, GoesWithItsPageOnceThereIsTooMuchAndOnlyWhereNothingOfItIsInUse) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::mask_atlas_test

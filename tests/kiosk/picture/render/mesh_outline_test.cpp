@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/picture/render/edges_fixture.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::mesh_outline_test {
 namespace {
 
 double shelf_belly(double t) { return 0.035 + 0.035 * std::sin(0.3 + 2.6 * t); }
@@ -224,4 +224,4 @@ TEST_F(AVesselsEdge, CostsLittle) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::mesh_outline_test

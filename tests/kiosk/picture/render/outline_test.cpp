@@ -5,7 +5,7 @@
 
 #include "tests/kiosk/picture/render/studio_fixture.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::outline_test {
 namespace {
 
 using AnOutline = StudioTest;
@@ -112,4 +112,4 @@ TEST_F(AnOutline, PointsAwayFromTheClay) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::outline_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::render {
+namespace onggi::render::outputs_test {
 namespace {
 
 constexpr std::uint64_t kHdmi = 61, kPort = 62, kFullHd = 101, kWide = 102, kOdd = 103;
@@ -83,4 +83,4 @@ TEST(Outputs, AFingerFallsOnTheMonitorThatItTouchesHoweverItHangs) {
 }
 
 }  // namespace
-}  // namespace onggi::render
+}  // namespace onggi::render::outputs_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace onggi::render {
+namespace onggi::render::pacing_test {
 namespace {
 
 // A machine on which a frame costs `fixed` ms and `full` more at full scale.
@@ -45,4 +45,4 @@ TEST(Pacing, OneStallIsForgiven) {
 }
 
 }  // namespace
-}  // namespace onggi::render
+}  // namespace onggi::render::pacing_test

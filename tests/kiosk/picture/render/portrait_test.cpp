@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/picture/render/studio_fixture.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::portrait_test {
 namespace {
 
 int light_of(Pixel p) { return p.r + p.g + p.b; }
@@ -148,4 +148,4 @@ TEST_F(APaintedPortrait, RepeatsItsPictureAsTheScanWantsIt) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::portrait_test

@@ -13,7 +13,7 @@
 // same, so (glaze - black) / (white - black) at a pixel is the glaze's colour there, as a share of
 // the white's.
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::skin_reader_test {
 namespace {
 
 using Color = std::array<double, 3>;
@@ -342,4 +342,4 @@ TEST_F(SkinReading, AfterAReadingEveryPictureIsAsItWasBefore) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::skin_reader_test

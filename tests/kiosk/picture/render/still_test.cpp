@@ -4,7 +4,7 @@
 #include "kiosk/picture/view/palette.h"
 #include "tests/kiosk/picture/render/studio_fixture.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::still_test {
 namespace {
 
 double flared(double t) { return 0.04 + 0.02 * t; }
@@ -81,4 +81,4 @@ TEST_F(APotThatComesToRest, SlowChangesAddUp) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::still_test

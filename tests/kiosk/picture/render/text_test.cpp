@@ -3,7 +3,7 @@
 #include "kiosk/picture/view/palette.h"
 #include "tests/kiosk/picture/render/studio_fixture.h"
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::text_test {
 namespace {
 
 TEST(Typesetter, SetsEverySentenceOnWholeLines) {
@@ -204,4 +204,4 @@ TEST_F(TextOnScreen, WhatDoesNotFitIsDrawnAndCounted) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::text_test

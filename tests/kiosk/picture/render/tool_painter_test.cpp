@@ -10,7 +10,7 @@
 
 // What a hand holds is drawn as the body that the engine presses with, where the engine has it.
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::tool_painter_test {
 namespace {
 
 using AHand = StudioTest;
@@ -194,4 +194,4 @@ TEST(AFinger, WithinAPotStaysWithinItsWallUnderAShoulderAndANeck) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::tool_painter_test

@@ -8,7 +8,7 @@
 
 // What a pot looks like whose wall tore.
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::torn_test {
 namespace {
 
 using Torn = StudioTest;
@@ -193,4 +193,4 @@ TEST_F(Torn, TearsInAllSkinsWholeAndCutOpen) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::torn_test

@@ -4,7 +4,7 @@
 
 // The vessel that stands beside the pot.
 
-namespace onggi::render::testing {
+namespace onggi::render::testing::vessel_test {
 namespace {
 
 using AVessel = StudioTest;
@@ -137,4 +137,4 @@ TEST_F(AVessel, ThePotAloneIsThePictureThatItWas) {
 }
 
 }  // namespace
-}  // namespace onggi::render::testing
+}  // namespace onggi::render::testing::vessel_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::view {
+namespace onggi::view::camera_test {
 namespace {
 
 Camera some_camera() {
@@ -103,4 +103,4 @@ TEST(FramePot, FillsItsBoxAndStaysInside) {
 }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::camera_test

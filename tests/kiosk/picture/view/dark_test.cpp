@@ -4,7 +4,7 @@
 
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::view {
+namespace onggi::view::dark_test {
 namespace {
 
 TEST(Dark, WordsAreSevenToOneOnItAndWhatCanBeTouchedIsFourAndAHalf) {
@@ -48,4 +48,4 @@ TEST(Dark, WordsBoxesAndLinesAllBecomePaler) {
 }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::dark_test

@@ -6,7 +6,7 @@
 
 #include "engine/math/random.h"
 
-namespace onggi::view {
+namespace onggi::view::fingers_test {
 namespace {
 
 using Kind = InputEvent::Kind;
@@ -109,4 +109,4 @@ TEST(Fingers, InAHundredThousandRandomStreamsNoneSticks) {
 }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::fingers_test

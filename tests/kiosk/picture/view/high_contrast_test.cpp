@@ -4,7 +4,7 @@
 
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::view {
+namespace onggi::view::high_contrast_test {
 namespace {
 
 TEST(HighContrast, WordsAndGuideLinesHaveSevenToOneOnPlaster) {
@@ -39,4 +39,4 @@ TEST(HighContrast, LinesGrowHeavierAndTheirHalosSolidAndNothingMoves) {
 }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::high_contrast_test

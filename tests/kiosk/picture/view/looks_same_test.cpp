@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::view {
+namespace onggi::view::looks_same_test {
 namespace {
 
 PotView a_pot() {
@@ -52,4 +52,4 @@ TEST(LooksSame, EverythingThatIsSeenIs) {
 }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::looks_same_test

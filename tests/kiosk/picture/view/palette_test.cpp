@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::view {
+namespace onggi::view::palette_test {
 namespace {
 
 TEST(Palette, ContrastOfBlackOnWhiteIsTwentyOne) {
@@ -21,4 +21,4 @@ TEST(Palette, GuideLinesStandOutFromPlaster) {
 }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::palette_test

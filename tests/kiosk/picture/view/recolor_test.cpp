@@ -4,7 +4,7 @@
 
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::view {
+namespace onggi::view::recolor_test {
 namespace {
 
 constexpr std::pair<Color, Color> kTurned[] = {{kInk, kPlaster}, {kPlaster, kInk}};
@@ -30,4 +30,4 @@ TEST(Recolor, ReachesWordsFillingsBordersAndEveryPointOfALineAndNothingElseChang
 }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::recolor_test

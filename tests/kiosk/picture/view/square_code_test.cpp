@@ -8,7 +8,7 @@
 
 #include "kiosk/picture/view/palette.h"
 
-namespace onggi::view {
+namespace onggi::view::square_code_test {
 namespace {
 
 const std::string kPage = "https://www.museum.go.kr/relic/305";
@@ -76,4 +76,4 @@ TEST(SquareCode, OfNothingAndOfTooMuchIsNoneAndTakesNoRoom) {
 TEST(SquareCode, StandsOutFromPlasterAsWordsDo) { EXPECT_GT(contrast(kInk, kPlaster), 10); }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::square_code_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::view {
+namespace onggi::view::type_scale_test {
 namespace {
 
 TEST(TypeScale, CapitalsSpanSevenTenthsOfADegree) {
@@ -20,4 +20,4 @@ TEST(TypeScale, StepsGrowByAThird) {
 }
 
 }  // namespace
-}  // namespace onggi::view
+}  // namespace onggi::view::type_scale_test

@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::check_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -251,4 +251,4 @@ TEST_F(CopiedSite, ATranslatorWritesOneFileAndItsFaultsAreNamedThere) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::check_test

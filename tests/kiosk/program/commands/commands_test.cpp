@@ -9,7 +9,7 @@
 #include "engine/script/script.h"
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::commands_test {
 namespace {
 
 TEST(Commands, EveryCommandHasHelpWithAnExample) {
@@ -313,4 +313,4 @@ TEST(Replay, AFileThatIsNoReplayIsRefusedWithAMeaning) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::commands_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::decorate_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ TEST_F(Decorating, WithoutADesktopItSaysSo) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::decorate_test

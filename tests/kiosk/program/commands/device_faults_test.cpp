@@ -20,7 +20,7 @@
 // The real program, with its 1 kHz thread and a device's own, in real time: stopped and killed
 // while a hand at the reference device feels clay. What went over the wire is looked at afterwards.
 
-namespace onggi::commands {
+namespace onggi::commands::device_faults_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -171,4 +171,4 @@ TEST(DeviceFaults, StoppedAndThenKilledTheForceEndsByItselfAndComesBackFromNothi
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::device_faults_test

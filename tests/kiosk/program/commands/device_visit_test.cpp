@@ -16,7 +16,7 @@
 
 // The real program with simulated devices under hidapi's names (tests/stand_in).
 
-namespace onggi::commands {
+namespace onggi::commands::device_visit_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -236,4 +236,4 @@ TEST(DeviceVisit, APuckAndAForceDeviceThrowThePotThatTheMouseThrows) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::device_visit_test

@@ -5,7 +5,7 @@
 
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::keepsake_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST_F(AtTheDesk, OnlyTheOneThatIsNamedIsDeleted) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::keepsake_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace onggi::commands {
+namespace onggi::commands::lab_program_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -32,4 +32,4 @@ TEST(LabProgram, GetsNothingThatAMuseumNeeds) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::lab_program_test

@@ -7,7 +7,7 @@
 
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,4 +81,4 @@ TEST(Outputs, AFolderThatIsNotThereIsToldBeforeTheWorkAndNotMade) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::outputs_test

@@ -13,7 +13,7 @@
 #include "kiosk/ground/files/virtual_display.h"
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::reload_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -85,4 +85,4 @@ TEST(Reload, AVesselPutOnTheShelfIsShownAndABrokenExhibitLeavesTheOldOneOpenAndS
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::reload_test

@@ -5,7 +5,7 @@
 #include "kiosk/program/commands/support_bundle.h"
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST(Report, AFileThatCannotBeWrittenIsOneClearError) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::report_test

@@ -11,7 +11,7 @@
 #include "tests/kiosk/program/commands/doomed_server.h"
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::run_test {
 namespace {
 
 struct Counted {
@@ -102,4 +102,4 @@ TEST(Run, AVisitUnderWayWhenTheXServerEndsIsCountedAndTheProgramEndsForAnother) 
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::run_test

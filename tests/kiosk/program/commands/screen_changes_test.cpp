@@ -8,7 +8,7 @@
 #include "kiosk/picture/render/window.h"
 #include "tests/kiosk/program/commands/bare_screen.h"
 
-namespace onggi::commands {
+namespace onggi::commands::screen_changes_test {
 namespace {
 
 constexpr double kSoon = 5.0;  // s, that a museum would wait
@@ -150,4 +150,4 @@ TEST(ScreenChanges, AKioskThatIsClosedIsBlackAndATouchWakesIt) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::screen_changes_test

@@ -12,7 +12,7 @@
 #include "kiosk/ground/files/virtual_display.h"
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::service_run_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -143,4 +143,4 @@ TEST(ServiceRun, AKilledKioskIsACrashAndOneThatEndsAsAskedIsNone) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::service_run_test

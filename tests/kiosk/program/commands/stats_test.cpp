@@ -6,7 +6,7 @@
 #include "kiosk/keepsake/store/visit_store.h"
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::stats_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -114,4 +114,4 @@ TEST(Stats, NoStoreNoDayAndAStoreThatWouldBeWrittenOverAreRefused) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::stats_test

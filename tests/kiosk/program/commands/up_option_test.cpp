@@ -5,7 +5,7 @@
 #include "kiosk/collection/content/pack.h"
 #include "tests/kiosk/program/commands/program.h"
 
-namespace onggi::commands {
+namespace onggi::commands::up_option_test {
 namespace {
 
 nlohmann::json inspected(const std::string& more) {
@@ -53,4 +53,4 @@ TEST(Up, isOneOfSixWordsAndAnyOtherIsToldWithARemedy) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::up_option_test

@@ -8,7 +8,7 @@
 
 namespace fs = std::filesystem;
 
-namespace onggi::commands {
+namespace onggi::commands::visit_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -291,4 +291,4 @@ TEST(Visit, AGlazeThatADecoratedPotCannotHaveIsTheInputsFault) {
 }
 
 }  // namespace
-}  // namespace onggi::commands
+}  // namespace onggi::commands::visit_test

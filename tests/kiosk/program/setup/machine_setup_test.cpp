@@ -11,7 +11,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::setup {
+namespace onggi::setup::machine_setup_test {
 namespace {
 
 using files::test::content;
@@ -268,4 +268,4 @@ TEST(machine_setup, a_step_that_fails_is_told_and_undo_takes_back_those_before_i
 }
 
 }  // namespace
-}  // namespace onggi::setup
+}  // namespace onggi::setup::machine_setup_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-namespace onggi::watch {
+namespace onggi::watch::health_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -81,4 +81,4 @@ TEST(health, it_tells_what_is_wrong) {
 }
 
 }  // namespace
-}  // namespace onggi::watch
+}  // namespace onggi::watch::health_test

@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::watch {
+namespace onggi::watch::last_good_test {
 namespace {
 
 using files::test::content;
@@ -120,4 +120,4 @@ TEST(last_good, a_full_disk_is_told_and_leaves_the_one_before) {
 }
 
 }  // namespace
-}  // namespace onggi::watch
+}  // namespace onggi::watch::last_good_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::watch {
+namespace onggi::watch::liveness_test {
 namespace {
 
 TEST(pulse, beats_while_picture_and_wheel_move) {
@@ -41,4 +41,4 @@ TEST(pulse, a_device_that_hangs_in_its_cable_is_named_though_all_else_goes_on) {
 }
 
 }  // namespace
-}  // namespace onggi::watch
+}  // namespace onggi::watch::liveness_test

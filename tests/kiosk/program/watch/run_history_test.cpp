@@ -7,7 +7,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::watch {
+namespace onggi::watch::run_history_test {
 namespace {
 
 using files::test::ScratchFolder;
@@ -80,4 +80,4 @@ TEST(run_ledger, the_count_of_years_of_crashes_stays_a_number) {
 }
 
 }  // namespace
-}  // namespace onggi::watch
+}  // namespace onggi::watch::run_history_test

@@ -20,7 +20,7 @@
 #include "kiosk/program/watch/service.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::watch {
+namespace onggi::watch::watchdog_thread_test {
 namespace {
 
 using files::test::content;
@@ -289,4 +289,4 @@ TEST(keeper, a_disk_that_takes_nothing_is_told_once_and_then_that_it_does_again)
 }
 
 }  // namespace
-}  // namespace onggi::watch
+}  // namespace onggi::watch::watchdog_thread_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::access {
+namespace onggi::access::access_mode_test {
 namespace {
 
 using screens::ScreenId;
@@ -263,4 +263,4 @@ TEST(AccessMode, WithoutEitherEverythingGoesToTheVisitAsItCame) {
 }
 
 }  // namespace
-}  // namespace onggi::access
+}  // namespace onggi::access::access_mode_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::access {
+namespace onggi::access::narrator_test {
 namespace {
 
 using screens::ScreenId;
@@ -150,4 +150,4 @@ TEST(Utterance, ASentenceWithoutAnEndingGetsOne) {
 }
 
 }  // namespace
-}  // namespace onggi::access
+}  // namespace onggi::access::narrator_test

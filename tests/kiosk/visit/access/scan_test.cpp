@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::access {
+namespace onggi::access::scan_test {
 namespace {
 
 using screens::ScreenText;
@@ -151,4 +151,4 @@ TEST(Scan, ThePaceIsTheVisitorsFromHalfASecondToFive) {
 }
 
 }  // namespace
-}  // namespace onggi::access
+}  // namespace onggi::access::scan_test

@@ -12,7 +12,7 @@
 #include "kiosk/visit/access/voice_link.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::access {
+namespace onggi::access::speech_dispatcher_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST_F(Dispatcher, SaysEnglishAndKoreanToTheirEndAndHasNoVoiceForWhatNobodySpeak
 }
 
 }  // namespace
-}  // namespace onggi::access
+}  // namespace onggi::access::speech_dispatcher_test

@@ -9,7 +9,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::access {
+namespace onggi::access::voice_link_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,4 +136,4 @@ TEST_F(Voice, OneThatTalksNonsenseOrDoesNotListenIsNoDangerToAnybody) {
 }
 
 }  // namespace
-}  // namespace onggi::access
+}  // namespace onggi::access::voice_link_test

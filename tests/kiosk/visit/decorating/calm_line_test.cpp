@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace onggi::decorating {
+namespace onggi::decorating::calm_line_test {
 namespace {
 
 TEST(CalmLine, AFingerThatShakesWithinTheStringMovesNothing) {
@@ -69,4 +69,4 @@ TEST(CalmLine, AQuickCircleOfFewPointsIsRound) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::calm_line_test

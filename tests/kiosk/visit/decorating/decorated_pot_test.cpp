@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/decorating/decorating.h"
 
-namespace onggi::decorating {
+namespace onggi::decorating::decorated_pot_test {
 namespace {
 
 using decoration::CoatPicture;
@@ -377,4 +377,4 @@ TEST_F(Decorating, AZoneIsTouchedByWhatLiesInItAndNotByACover) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::decorated_pot_test

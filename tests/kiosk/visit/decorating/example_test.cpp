@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/decorating/every_tool.h"
 
-namespace onggi::decorating {
+namespace onggi::decorating::example_test {
 namespace {
 
 struct Showing : testing::Test {
@@ -103,4 +103,4 @@ TEST_F(Showing, AToolThatWaitsForAnotherHasNoExample) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::example_test

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace onggi::decorating {
+namespace onggi::decorating::felt_tool_test {
 namespace {
 
 using decoration::WayTool;
@@ -53,4 +53,4 @@ TEST(FeltTool, EveryToolOfEveryWayIsFeltButADipAndSmokeAndNoneBeyondItsRange) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::felt_tool_test

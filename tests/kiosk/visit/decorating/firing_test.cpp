@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/decorating/decorating.h"
 
-namespace onggi::decorating {
+namespace onggi::decorating::firing_test {
 namespace {
 
 using decoration::CoatPicture;
@@ -115,4 +115,4 @@ TEST_F(Decorating, TheChosenPigmentIsLaidAndTheFireShowsItsOtherColour) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::firing_test

@@ -14,7 +14,7 @@
 #include "tests/kiosk/visit/decorating/a_jar.h"
 #include "tests/kiosk/visit/decorating/every_tool.h"
 
-namespace onggi::decorating {
+namespace onggi::decorating::recorded_test {
 namespace {
 
 using decoration::Decoration;
@@ -205,4 +205,4 @@ TEST(Recorded, OnlyThePigmentsThatWereTakenAreInTheFile) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::recorded_test

@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/decorating/every_tool.h"
 
-namespace onggi::decorating {
+namespace onggi::decorating::touch_queue_test {
 namespace {
 
 struct Touching : testing::Test {
@@ -110,4 +110,4 @@ TEST_F(Touching, AFingerThatWasNotMeantLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::touch_queue_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/decorating/a_jar.h"
 
-namespace onggi::decorating {
+namespace onggi::decorating::touched_place_test {
 namespace {
 
 using surface::Surface;
@@ -62,4 +62,4 @@ TEST_F(TouchedPlace, BesideThePotIsNothing) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::touched_place_test

@@ -9,7 +9,7 @@
 #include "tests/kiosk/visit/decorating/a_jar.h"
 #include "tests/kiosk/visit/decorating/every_tool.h"
 
-namespace onggi::decorating {
+namespace onggi::decorating::wet_slip_test {
 namespace {
 
 float all(const std::vector<float>& wet) { return std::accumulate(wet.begin(), wet.end(), 0.0f); }
@@ -57,4 +57,4 @@ TEST(WetSlip, NoToolThatLaysNoSlipWetsThePot) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::wet_slip_test

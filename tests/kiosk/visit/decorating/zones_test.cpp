@@ -7,7 +7,7 @@
 #include "kiosk/visit/decorating/decorated_pot.h"
 #include "tests/kiosk/visit/decorating/every_tool.h"
 
-namespace onggi::decorating {
+namespace onggi::decorating::zones_test {
 namespace {
 
 /// A bottle: a straight body of 60 mm, a shoulder, a neck of 50 mm. Millimetres along its outside:
@@ -86,4 +86,4 @@ TEST(Zones, ASmoothJarIsOneZone) {
 }
 
 }  // namespace
-}  // namespace onggi::decorating
+}  // namespace onggi::decorating::zones_test

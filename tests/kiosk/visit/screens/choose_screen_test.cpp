@@ -16,7 +16,7 @@
 // The museum’s page on a label and on a postcard: a phone must read it off the picture, so zbar
 // does. And the shelf under a finger.
 
-namespace onggi::screens {
+namespace onggi::screens::choose_screen_test {
 namespace {
 
 const std::string kPage = "https://www.museum.go.kr/site/main/relic/search/view?relicId=305";
@@ -430,4 +430,4 @@ TEST(ChooseScreen, TheStepOnwardHasOnePlaceOnEveryLabelHoweverMuchItSays) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::choose_screen_test

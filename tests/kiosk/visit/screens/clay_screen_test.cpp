@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::clay_screen_test {
 namespace {
 
 using view::Key;
@@ -172,4 +172,4 @@ TEST(ClayScreen, AVisitThatEndsThereIsCountedAsThat) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::clay_screen_test

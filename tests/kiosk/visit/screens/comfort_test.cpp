@@ -9,7 +9,7 @@
 #include "kiosk/visit/screens/layout.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::comfort_test {
 namespace {
 
 using view::Key;
@@ -334,4 +334,4 @@ TEST(Comfort, WhereNoChoiceHasRoomForItsExplanationTheOneThatWasSwitchedLastIsEx
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::comfort_test

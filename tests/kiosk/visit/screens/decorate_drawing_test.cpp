@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/decorator.h"
 
-namespace onggi::screens {
+namespace onggi::screens::decorate_drawing_test {
 namespace {
 
 TEST(DecorateDrawing, AVisitorWithKeysSeesWhereTheMarkIsOnClayOfAnyColour) {
@@ -106,4 +106,4 @@ TEST(DecorateDrawing, StartsOfTheVesselsMakersAreHintedUntilTheirZoneIsTouched) 
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::decorate_drawing_test

@@ -7,7 +7,7 @@
 #include "tests/kiosk/visit/screens/decorator.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
 
-namespace onggi::screens {
+namespace onggi::screens::decorate_screen_test {
 namespace {
 
 TEST(DecorateScreen, ComesAfterTheResultAndMayBeSkipped) {
@@ -392,4 +392,4 @@ TEST(DecorateScreen, NothingOfAnyWayIsCutAtAnySize) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::decorate_screen_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace onggi::screens {
+namespace onggi::screens::device_news_test {
 namespace {
 
 using device::DeviceKind;
@@ -66,4 +66,4 @@ TEST(DeviceNews, EveryKeyThatCanBeSaidIsListed) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::device_news_test

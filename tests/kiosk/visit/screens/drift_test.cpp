@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace onggi::screens {
+namespace onggi::screens::drift_test {
 namespace {
 
 TEST(Drift, ThePageWandersAPixelAtATimeOverTheWholeSquareAndNeverFar) {
@@ -37,4 +37,4 @@ TEST(Drift, ASmallPageKeepsThreeQuartersOfItsMargin) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::drift_test

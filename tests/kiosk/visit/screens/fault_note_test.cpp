@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::fault_note_test {
 namespace {
 
 TEST(FaultNote, WhatTheWheelPutRightIsToldInKindWordsForAWhileAndForgottenAtTheWheel) {
@@ -54,4 +54,4 @@ TEST(FaultNote, NobodyIsToldWhereNobodyIsAtTheWheelButTheWheelForgetsAllTheSame)
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::fault_note_test

@@ -10,7 +10,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::focus_test {
 namespace {
 
 // Two rows, as beside the pot: what is far in the row lies beside what is near above it.
@@ -96,4 +96,4 @@ TEST(Focus, LeavesARowAtItsEnd) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::focus_test

@@ -7,7 +7,7 @@
 #include "tests/kiosk/visit/screens/layout_check.h"
 #include "tests/support/open_shelf.h"
 
-namespace onggi::screens {
+namespace onggi::screens::fonts_test {
 namespace {
 
 /// All languages that come with the exhibit, whether it offers them or not.
@@ -139,4 +139,4 @@ TEST(Fonts, ALabelAsLongAsCheckAllowsIsReadToItsEndOnEveryScreen) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::fonts_test

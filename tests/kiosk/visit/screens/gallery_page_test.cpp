@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::gallery_page_test {
 namespace {
 
 std::vector<view::PictureId> pictures(const Visitor& v) {
@@ -182,4 +182,4 @@ TEST(Gallery, APotThatAnswersADescriptionIsCalledByItsMission) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::gallery_page_test

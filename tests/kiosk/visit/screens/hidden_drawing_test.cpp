@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::hidden_drawing_test {
 namespace {
 
 struct Drawing : Visitor {
@@ -78,4 +78,4 @@ TEST(HiddenDrawing, TheKilnSaysItBeforeAGlazeIsChosen) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::hidden_drawing_test

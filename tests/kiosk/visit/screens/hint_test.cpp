@@ -11,7 +11,7 @@
 #include "kiosk/collection/score/in_words.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::hint_test {
 namespace {
 
 /// A pot beside its line, as the result would judge it.
@@ -142,4 +142,4 @@ TEST(Hint, ASentenceStandsLongEnoughToBeRead) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::hint_test

@@ -2,7 +2,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::idle_test {
 namespace {
 
 using view::Key;
@@ -108,4 +108,4 @@ TEST(Idle, EveryOtherScreenFindsItsWayHomeAlone) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::idle_test

@@ -15,7 +15,7 @@
 // A visitor's own page and the kiosk's own network, read off drawn screens and postcards as a phone
 // reads them: from afar, and not sharp.
 
-namespace onggi::screens {
+namespace onggi::screens::keepsake_code_test {
 namespace {
 
 const std::string kPage = "http://192.168.4.1:8080/k/u9fvw8wdsscd3zfq6bmprfmaqa";
@@ -232,4 +232,4 @@ TEST_F(AVisitorsPage, IsReadOffPaperThroughFiveBlursAndOffAScreenThroughFour) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::keepsake_code_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::keepsake_screen_test {
 namespace {
 
 bool says(const Visitor& v, const std::string& words) {
@@ -109,4 +109,4 @@ TEST(KeepsakeScreen, WhoPressesTwiceGoesAtOnceAndWhoCouldNotBeServedIsToldSo) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::keepsake_screen_test

@@ -9,7 +9,7 @@
 #include "tests/kiosk/visit/screens/layout_check.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::kiln_test {
 namespace {
 
 using view::Finish;
@@ -433,4 +433,4 @@ TEST(KilnScreen, WithoutAKilnAPotIsKeptUnfired) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::kiln_test

@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::label_test {
 namespace {
 
 content::Language language(const std::string& code) {
@@ -132,4 +132,4 @@ TEST(Label, TheNameOfAKeepsakeIsReadFromTheLeftInArabicToo) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::label_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::language_page_test {
 namespace {
 
 using view::Key;
@@ -219,4 +219,4 @@ TEST(LanguagePage, AnExhibitOfOneLanguageHasNoGlobe) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::language_page_test

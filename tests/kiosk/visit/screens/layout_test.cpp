@@ -5,7 +5,7 @@
 #include "kiosk/visit/screens/comfort.h"
 #include "kiosk/visit/screens/layout.h"
 
-namespace onggi::screens {
+namespace onggi::screens::layout_test {
 namespace {
 
 constexpr std::pair<int, int> kSizes[] = {{1280, 720}, {1920, 1080}, {1080, 1920}, {1024, 600}};
@@ -94,4 +94,4 @@ TEST(Layout, APotStandsOnTheThirdInLandscapeAndOnTheCentreLineInPortrait) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::layout_test

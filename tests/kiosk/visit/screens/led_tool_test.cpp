@@ -6,7 +6,7 @@
 
 // A hand device leads the tool on the screen Decorate.
 
-namespace onggi::screens {
+namespace onggi::screens::led_tool_test {
 namespace {
 
 /// A visitor at the screen Decorate who holds a device.
@@ -90,4 +90,4 @@ TEST(LedTool, AfterTheScreenTheClayIsSoftAgain) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::led_tool_test

@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::lesson_line_test {
 namespace {
 
 bool says(const Visitor& v, const std::string& words) {
@@ -245,4 +245,4 @@ TEST(LessonLine, WithoutALessonTheHintStandsThere) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::lesson_line_test

@@ -11,7 +11,7 @@
 
 // Missions as a visitor meets them: before the shelf, at the wheel, and in what they came to.
 
-namespace onggi::screens {
+namespace onggi::screens::measured_pot_test {
 namespace {
 
 using ::testing::Contains;
@@ -312,4 +312,4 @@ TEST(MissionHelp, AtTheResultSpeaksOfAVesselBesideThePotOnlyWhereOneStands) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::measured_pot_test

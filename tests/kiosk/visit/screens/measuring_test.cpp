@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::measuring_test {
 namespace {
 
 /// A text of sentences of one letter each, as long as a label may be: each sentence is measured
@@ -161,4 +161,4 @@ TEST(Measuring, WordsThatAreStillAskedForStayKnownWhileOthersComeAndGo) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::measuring_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::mishap_test {
 namespace {
 
 using view::Key;
@@ -143,4 +143,4 @@ TEST(Mishap, AFreshLumpEndsTheWordsOfATearAndAFallGoesBeforeIt) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::mishap_test

@@ -10,7 +10,7 @@
 
 // The missions that come with the exhibit, all of them on: every screen that only they have.
 
-namespace onggi::screens {
+namespace onggi::screens::mission_layout_test {
 namespace {
 
 using Kind = settings::Mission::Kind;
@@ -150,4 +150,4 @@ TEST(MissionLayout, NorWithWhatAVisitorMayChoose) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::mission_layout_test

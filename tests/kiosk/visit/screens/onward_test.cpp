@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::onward_test {
 namespace {
 
 /// A shelf from easy to hard: the wider a jar's belly, the farther its wall leans.
@@ -90,4 +90,4 @@ TEST(Onward, TheButtonSaysItsNameAndOpensItsLabel) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::onward_test

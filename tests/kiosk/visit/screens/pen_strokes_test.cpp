@@ -7,7 +7,7 @@
 
 #include "engine/contact/tool.h"
 
-namespace onggi::screens {
+namespace onggi::screens::pen_strokes_test {
 namespace {
 
 TEST(PenStrokes, AreLinesFromPointToPointAndArcsOfEllipses) {
@@ -44,4 +44,4 @@ TEST(PenStrokes, OfEveryToolOfTheTrayLieInItsSquare) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::pen_strokes_test

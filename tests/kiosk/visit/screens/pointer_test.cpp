@@ -4,7 +4,7 @@
 
 // A finger on the picture of the pot, from pixels to the metres that the hand is led by.
 
-namespace onggi::screens {
+namespace onggi::screens::pointer_test {
 namespace {
 
 constexpr double kTool = 0.008;
@@ -130,4 +130,4 @@ TEST(Pointer, AFingerBesideTheFirstPressesNoButtonAndEndsNoScreen) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::pointer_test

@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::pot_picture_test {
 namespace {
 
 TEST(PotPicture, APotThatWasCutFreeStandsWhileTheWheelTurns) {
@@ -125,4 +125,4 @@ TEST(PotPicture, APotIsNotJudgedBeforeEveryRowOfItHasArrived) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::pot_picture_test

@@ -8,7 +8,7 @@
 #include "kiosk/picture/view/palette.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::result_screen_test {
 namespace {
 
 bool says_millimetres(const Visitor& v) {
@@ -143,4 +143,4 @@ TEST(ResultScreen, AFiredPotIsNotOfferedTheFireAgain) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::result_screen_test

@@ -8,7 +8,7 @@
 // What onggi check accepts in [screen], at the ends of its ranges: no visit stops there. Whether
 // such a page is easy to read is not asked here.
 
-namespace onggi::screens {
+namespace onggi::screens::screen_ends_test {
 namespace {
 
 bool finite(const view::Rect& r) {
@@ -75,4 +75,4 @@ TEST(ScreenEnds, AVisitGoesThroughAtTheEndsOfEveryRangeOfTheScreenOneByOneAndTog
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::screen_ends_test

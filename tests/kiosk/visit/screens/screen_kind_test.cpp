@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace onggi::screens {
+namespace onggi::screens::screen_kind_test {
 namespace {
 
 TEST(ScreenKinds, StandInTheOrderOfAVisitEachByItsOwnName) {
@@ -21,4 +21,4 @@ TEST(ScreenKinds, StandInTheOrderOfAVisitEachByItsOwnName) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::screen_kind_test

@@ -10,7 +10,7 @@
 #include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::shaping_test {
 namespace {
 
 using view::InputEvent;
@@ -224,4 +224,4 @@ TEST(Shaping, BackAtTheWheelThePotGoesOn) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::shaping_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::screens {
+namespace onggi::screens::shelf_scroll_test {
 namespace {
 
 ShelfScroll shelf(int columns = 12, int shown = 4) {
@@ -115,4 +115,4 @@ TEST(ShelfScroll, AShelfThatGrowsStaysWhereItIs) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::shelf_scroll_test

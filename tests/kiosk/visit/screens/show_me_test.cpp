@@ -9,7 +9,7 @@
 #include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::show_me_test {
 namespace {
 
 double off(const ClayView& clay, const Profile& target) {
@@ -160,4 +160,4 @@ TEST(ShowMe, ByKeysItBeginsAndAnArrowTakesOver) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::show_me_test

@@ -8,7 +8,7 @@
 #include "kiosk/picture/view/palette.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
 
-namespace onggi::screens {
+namespace onggi::screens::side_by_side_test {
 namespace {
 
 constexpr std::pair<int, int> kSizes[] = {{1280, 720}, {1920, 1080}, {1080, 1920}, {1024, 600}};
@@ -207,4 +207,4 @@ TEST(SideBySide, UnderHelpThePotsStandWhereAScreenOfAnotherSizeHasThem) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::side_by_side_test

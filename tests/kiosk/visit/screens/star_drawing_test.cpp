@@ -6,7 +6,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::star_drawing_test {
 namespace {
 
 /// The stars of a frame from the left: how many outlines each has. A star has ten corners and the
@@ -50,4 +50,4 @@ TEST(Stars, StandInTheGalleryUnderEachPot) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::star_drawing_test

@@ -12,7 +12,7 @@
 #include "tests/kiosk/visit/screens/trial_language.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::stroke_board_test {
 namespace {
 
 using device::Ask;
@@ -283,4 +283,4 @@ TEST(StrokeBoard, ItsButtonsFillTheirRowsAndNoneStandsAloneInAnyLanguage) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::stroke_board_test

@@ -12,7 +12,7 @@
 #include "kiosk/visit/screens/throwing_controls.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::throwing_screen_test {
 namespace {
 
 using view::Rect;
@@ -391,4 +391,4 @@ TEST(ThrowingScreen, NoWordOfAToolsNameIsBroken) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::throwing_screen_test

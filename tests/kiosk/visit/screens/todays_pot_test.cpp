@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::todays_pot_test {
 namespace {
 
 std::vector<TodaysPot> pots(const std::vector<std::string>& vessels) {
@@ -43,4 +43,4 @@ TEST(TodaysPots, TheKeepsakeSaysANumberOfFiveOrMoreAndNoSmallerOne) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::todays_pot_test

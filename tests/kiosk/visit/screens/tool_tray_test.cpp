@@ -7,7 +7,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::tool_tray_test {
 namespace {
 
 constexpr std::uint8_t kRib = 3, kWire = 7;
@@ -196,4 +196,4 @@ TEST(ToolTray, AControlNamesOneToolOrNone) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::tool_tray_test

@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::touched_clay_test {
 namespace {
 
 struct AtFreshClay : Visitor {
@@ -92,4 +92,4 @@ TEST(TouchedClay, ATouchedPotIsNotLeftForTheShelfWithoutAQuestion) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::touched_clay_test

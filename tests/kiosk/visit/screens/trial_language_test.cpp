@@ -5,7 +5,7 @@
 #include "kiosk/visit/screens/comfort.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
 
-namespace onggi::screens {
+namespace onggi::screens::trial_language_test {
 namespace {
 
 void walk_in(const content::Language& language, std::pair<int, int> size, bool larger) {
@@ -79,4 +79,4 @@ TEST(TrialLanguage, WhatIsReadFromTheRightBeginsAtTheRight) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::trial_language_test

@@ -10,7 +10,7 @@
 
 // Whoever has keys or one switch looks at the pot from all sides, too.
 
-namespace onggi::screens {
+namespace onggi::screens::turntable_test {
 namespace {
 
 using view::InputEvent;
@@ -260,4 +260,4 @@ TEST(Turntable, AtTheResultTwoFingersTiltBothPots) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::turntable_test

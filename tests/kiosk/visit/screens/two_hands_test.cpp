@@ -8,7 +8,7 @@
 
 // Two visitors at one wheel, and a pot that nobody sees.
 
-namespace onggi::screens {
+namespace onggi::screens::two_hands_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -389,4 +389,4 @@ TEST(MissionsOfHandsAndEyes, LoseNoWordInAnySizeOrLanguageAndAreLegibleInTheDark
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::two_hands_test

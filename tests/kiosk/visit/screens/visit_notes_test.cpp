@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::visit_notes_test {
 namespace {
 
 using By = NoteTaker::By;
@@ -142,4 +142,4 @@ TEST(VisitNotes, AVisitThatIsUnderWayWhenTheProgramEndsIsOverAndAttractIsNone) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::visit_notes_test

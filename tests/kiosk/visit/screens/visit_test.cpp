@@ -4,7 +4,7 @@
 
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::visit_test {
 namespace {
 
 using view::Key;
@@ -383,4 +383,4 @@ TEST(Visit, HelpOpensOverEveryScreenAndGoesAway) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::visit_test

@@ -9,7 +9,7 @@
 #include "tests/kiosk/visit/screens/decorator.h"
 #include "tests/kiosk/visit/screens/layout_check.h"
 
-namespace onggi::screens {
+namespace onggi::screens::wall_section_test {
 namespace {
 
 /// A visitor whose pot has a blue band round its middle, and goes into the kiln.
@@ -162,4 +162,4 @@ TEST(WallSection, NothingIsCutInAnyLanguageAtAnySize) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::wall_section_test

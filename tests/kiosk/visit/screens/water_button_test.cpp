@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::screens {
+namespace onggi::screens::water_button_test {
 namespace {
 
 TEST(WaterButton, WaterHelpsAfterTwentySecondsOfRubbingDryClayAndIsAskedForSixMore) {
@@ -29,4 +29,4 @@ TEST(WaterButton, WaterHelpsAfterTwentySecondsOfRubbingDryClayAndIsAskedForSixMo
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::water_button_test

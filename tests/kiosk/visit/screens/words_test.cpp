@@ -12,7 +12,7 @@
 #include "kiosk/visit/screens/screen_kind.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
-namespace onggi::screens {
+namespace onggi::screens::words_test {
 namespace {
 
 content::Language read(const std::string& code) {
@@ -182,4 +182,4 @@ TEST(Words, ALabelSaysAtWhatPartOfItsSizeAVesselIsThrown) {
 }
 
 }  // namespace
-}  // namespace onggi::screens
+}  // namespace onggi::screens::words_test

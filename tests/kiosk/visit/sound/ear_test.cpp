@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace onggi::sound {
+namespace onggi::sound::ear_test {
 namespace {
 
 loop::LoopStatus throwing(std::string_view tool) {
@@ -50,4 +50,4 @@ TEST(Ear, HearsNoHandThatIsOnlyNear) {
 }
 
 }  // namespace
-}  // namespace onggi::sound
+}  // namespace onggi::sound::ear_test

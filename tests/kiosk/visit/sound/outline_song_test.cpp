@@ -9,7 +9,7 @@
 
 #include "kiosk/visit/sound/synthesis.h"
 
-namespace onggi::sound {
+namespace onggi::sound::outline_song_test {
 namespace {
 
 using Radii = std::array<double, OutlineSong::kSteps>;
@@ -124,4 +124,4 @@ TEST(OutlineSong, IsNotHeardByWhoWantsNoSound) {
 }
 
 }  // namespace
-}  // namespace onggi::sound
+}  // namespace onggi::sound::outline_song_test

@@ -15,7 +15,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::sound {
+namespace onggi::sound::speaker_test {
 namespace {
 
 // SDL's own drivers that need no card: one writes what would be played into a file.
@@ -129,4 +129,4 @@ TEST_F(Card, AMachineWithoutOneIsSilentSaysSoOnceAndLooksAgainNowAndThen) {
 }
 
 }  // namespace
-}  // namespace onggi::sound
+}  // namespace onggi::sound::speaker_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace onggi::sound {
+namespace onggi::sound::synthesis_test {
 namespace {
 
 Heard at_rest() {
@@ -180,4 +180,4 @@ TEST(Studio, SoundsTheSameHoweverItsSamplesAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace onggi::sound
+}  // namespace onggi::sound::synthesis_test

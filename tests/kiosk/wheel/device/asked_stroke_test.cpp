@@ -7,7 +7,7 @@
 
 #include "tests/kiosk/wheel/device/tube.h"
 
-namespace onggi::device {
+namespace onggi::device::asked_stroke_test {
 namespace {
 
 constexpr double kHeight = 0.2;
@@ -92,4 +92,4 @@ TEST(AskedStroke, PullingUpSqueezesAndLeavesTheOutsideWhereItIsAndEveningSqueeze
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::asked_stroke_test

@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::device {
+namespace onggi::device::device_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST(DeviceFile, WhatIsNoGoodIsNamedByItsLineAndTheUsualStands) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::device_file_test

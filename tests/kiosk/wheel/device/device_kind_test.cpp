@@ -11,7 +11,7 @@
 
 #include "kiosk/wheel/device/device_access.h"
 
-namespace onggi::device {
+namespace onggi::device::device_kind_test {
 namespace {
 
 HidListing listed(std::uint16_t vendor, std::uint16_t product, std::uint16_t page,
@@ -115,4 +115,4 @@ TEST(DeviceAccess, WhoMayNotOpenADeviceIsToldEachCommandThatGivesIt) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::device_kind_test

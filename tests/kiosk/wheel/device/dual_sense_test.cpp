@@ -7,7 +7,7 @@
 
 #include "kiosk/ground/files/crc32.h"
 
-namespace onggi::device::dual_sense {
+namespace onggi::device::dual_sense::dual_sense_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -105,4 +105,4 @@ TEST(DualSense, ByRadioTheSameWithACountAndACheckSeededForOutput) {
 }
 
 }  // namespace
-}  // namespace onggi::device::dual_sense
+}  // namespace onggi::device::dual_sense::dual_sense_test

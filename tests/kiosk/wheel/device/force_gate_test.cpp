@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace onggi::device {
+namespace onggi::device::force_gate_test {
 namespace {
 
 constexpr ForceLimits kLimits{3.0, 600.0, 0.5};
@@ -70,4 +70,4 @@ TEST(ForceGate, WholeMillinewtonsAreNeverLonger) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::force_gate_test

@@ -14,7 +14,7 @@
 #include "tests/stand_in/simulated_others.h"
 #include "tests/stand_in/simulated_puck.h"
 
-namespace onggi::device {
+namespace onggi::device::golden_wire_test {
 namespace {
 
 constexpr std::size_t kShown = 8;  // Outputs of each device that are written out.
@@ -85,4 +85,4 @@ TEST(GoldenWire, EveryDeviceIsToldWhatItWasAlwaysTold) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::golden_wire_test

@@ -6,7 +6,7 @@
 #include "tests/stand_in/simulated_others.h"
 #include "tests/stand_in/simulated_puck.h"
 
-namespace onggi::device {
+namespace onggi::device::hid_hand_test {
 namespace {
 
 using stand_in::SimulatedArm;
@@ -380,4 +380,4 @@ TEST(HidHand, AnArmThatNobodyMovedIsNotPushed) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::hid_hand_test

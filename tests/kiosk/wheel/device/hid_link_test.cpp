@@ -12,7 +12,7 @@
 #include "tests/kiosk/wheel/device/rig.h"
 #include "tests/stand_in/simulated_others.h"
 
-namespace onggi::device {
+namespace onggi::device::hid_link_test {
 namespace {
 
 using stand_in::Fault;
@@ -336,4 +336,4 @@ TEST(DeviceWatch, ADeviceThatDoesNotAnswerAsOneIsToldOfOnceWithWhatToDo) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::hid_link_test

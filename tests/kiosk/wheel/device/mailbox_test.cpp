@@ -5,7 +5,7 @@
 #include <array>
 #include <thread>
 
-namespace onggi::device {
+namespace onggi::device::mailbox_test {
 namespace {
 
 TEST(Mailbox, TheNewestIsTakenOnceAndWhatWasBeforeItIsGone) {
@@ -49,4 +49,4 @@ TEST(Mailbox, NoValueIsEverHalfOldHoweverFastBothSidesAre) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::mailbox_test

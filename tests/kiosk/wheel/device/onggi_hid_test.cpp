@@ -10,7 +10,7 @@
 #include "kiosk/ground/files/crc32.h"
 #include "tests/kiosk/wheel/device/golden_bytes.h"
 
-namespace onggi::device::onggi_hid {
+namespace onggi::device::onggi_hid::onggi_hid_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -115,4 +115,4 @@ TEST(OnggiHid, WhateverIsWantedTheBytesAreInRangeAndNoNumberIsNoForce) {
 }
 
 }  // namespace
-}  // namespace onggi::device::onggi_hid
+}  // namespace onggi::device::onggi_hid::onggi_hid_test

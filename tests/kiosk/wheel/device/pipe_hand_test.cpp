@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-namespace onggi::example {
+namespace onggi::example::pipe_hand_test {
 namespace {
 
 /// A laboratory's program at the other ends of the pipes.
@@ -99,4 +99,4 @@ TEST(PipeHand, ALoopThatStandsStillOrALineThatIsNoneEndsTheForce) {
 }
 
 }  // namespace
-}  // namespace onggi::example
+}  // namespace onggi::example::pipe_hand_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace onggi::device {
+namespace onggi::device::pointer_hand_test {
 namespace {
 
 HandInput at(double x, bool active = true) {
@@ -136,4 +136,4 @@ TEST(PointerHand, LiftedFromClayItComesOffSlowlyAwayFromTheWallAndIsOffInTime) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::pointer_hand_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::device {
+namespace onggi::device::pointer_lead_test {
 namespace {
 
 constexpr WallHold::Part kPalm{2, 0.018}, kFinger{0, 0.008};
@@ -252,4 +252,4 @@ TEST(PointerLead, KeysWorkUntilTheHandIsLiftedAndLiftingTakesItAway) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::pointer_lead_test

@@ -10,7 +10,7 @@
 
 #include "kiosk/wheel/device/arm_kinematics.h"
 
-namespace onggi::device::polhem {
+namespace onggi::device::polhem::polhem_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -71,7 +71,7 @@ TEST(Polhem, CalibratingSaysWhereTheArmStandsAndPushesNothing) {
 }
 
 }  // namespace
-}  // namespace onggi::device::polhem
+}  // namespace onggi::device::polhem::polhem_test
 
 namespace onggi::device {
 namespace {

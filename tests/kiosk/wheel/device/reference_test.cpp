@@ -11,7 +11,7 @@
 #include "kiosk/wheel/device/reference/onggi_hid_device.h"
 #include "tests/kiosk/wheel/device/golden_bytes.h"
 
-namespace onggi::device {
+namespace onggi::device::reference_test {
 namespace {
 
 using onggi_hid::Mode;
@@ -211,4 +211,4 @@ TEST(ReferenceDevice, IsPlainC99ForAnyCompiler) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::reference_test

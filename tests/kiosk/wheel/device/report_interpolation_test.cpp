@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace onggi::device {
+namespace onggi::device::report_interpolation_test {
 namespace {
 
 struct Joined {
@@ -106,4 +106,4 @@ TEST(ReportInterpolation, ReportsThatAreFarApartAreNotGuessedBetween) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::report_interpolation_test

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <vector>
 
-namespace onggi::device::space_mouse {
+namespace onggi::device::space_mouse::space_mouse_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -68,4 +68,4 @@ TEST(SpaceMouse, WhateverComesNoAxisIsBeyondItsRange) {
 }
 
 }  // namespace
-}  // namespace onggi::device::space_mouse
+}  // namespace onggi::device::space_mouse::space_mouse_test

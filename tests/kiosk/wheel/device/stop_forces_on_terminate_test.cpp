@@ -14,7 +14,7 @@
 #include "kiosk/wheel/device/hid_hand.h"
 #include "tests/stand_in/simulated_handle.h"
 
-namespace onggi::device {
+namespace onggi::device::stop_forces_on_terminate_test {
 namespace {
 
 using stand_in::Bytes;
@@ -111,4 +111,4 @@ TEST(LastWord, AnExceptionThatNobodyCatchesIsZeroForceOnTheWire) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::stop_forces_on_terminate_test

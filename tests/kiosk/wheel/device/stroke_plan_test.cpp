@@ -8,7 +8,7 @@
 
 #include "tests/kiosk/wheel/device/tube.h"
 
-namespace onggi::device {
+namespace onggi::device::stroke_plan_test {
 namespace {
 
 Profile jar(double radius, double belly) {
@@ -111,4 +111,4 @@ TEST(StrokePlan, StrokeAfterStrokeAWallThatFollowsComesToTheOutline) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::stroke_plan_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace onggi::device::surface_dial {
+namespace onggi::device::surface_dial::surface_dial_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -84,4 +84,4 @@ TEST(SurfaceDial, BuzzesAreFiveBytesAndNeverMoreThanTen) {
 }
 
 }  // namespace
-}  // namespace onggi::device::surface_dial
+}  // namespace onggi::device::surface_dial::surface_dial_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace onggi::device {
+namespace onggi::device::trim_pass_test {
 namespace {
 
 constexpr double kLoop = 0.008;  // m, its radius
@@ -98,4 +98,4 @@ TEST(TrimPass, OfAFootThatIsThereNothingIsTaken) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::trim_pass_test

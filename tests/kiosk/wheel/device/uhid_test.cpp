@@ -13,7 +13,7 @@
 #include "kiosk/wheel/device/hidapi_bus.h"
 #include "kiosk/wheel/device/reference/onggi_hid_device.h"
 
-namespace onggi::device {
+namespace onggi::device::uhid_test {
 namespace {
 
 TEST(Uhid, TheReferencesDescriptorIsOneThatTheSystemListsAsOnggiHid) {
@@ -44,4 +44,4 @@ TEST(Uhid, TheReferencesDescriptorIsOneThatTheSystemListsAsOnggiHid) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::uhid_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::device {
+namespace onggi::device::wall_hold_test {
 namespace {
 
 constexpr WallHold::Part kPalm{2, 0.018}, kFinger{0, 0.008};
@@ -165,4 +165,4 @@ RC_GTEST_PROP(WallHold, BallsNeverPassBetweenWheelAndRimNorOnTheAxisFarSide, ())
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::wall_hold_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::device {
+namespace onggi::device::wall_pass_test {
 namespace {
 
 constexpr double kWall = 0.055, kThin = 0.004, kFrame = 1.0 / 60;
@@ -222,4 +222,4 @@ TEST(WallPass, AWallThatRisesIsRememberedByItsShareOfTheHeight) {
 }
 
 }  // namespace
-}  // namespace onggi::device
+}  // namespace onggi::device::wall_pass_test

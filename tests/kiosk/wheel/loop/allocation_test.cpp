@@ -25,7 +25,7 @@ std::atomic<long> allocations{0};
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 #endif
 
-namespace onggi::loop {
+namespace onggi::loop::allocation_test {
 namespace {
 
 TEST(Potter, NeitherATickNorACollectedRowAllocates) {
@@ -57,4 +57,4 @@ TEST(Potter, NeitherATickNorACollectedRowAllocates) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::allocation_test

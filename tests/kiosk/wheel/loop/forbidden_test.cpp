@@ -60,7 +60,7 @@ ssize_t write(int file, const void* bytes, std::size_t size) {
 }
 #endif
 
-namespace onggi::loop {
+namespace onggi::loop::forbidden_test {
 namespace {
 
 /// A small pot with every effect there is.
@@ -145,4 +145,4 @@ TEST(Loop, InAHundredThousandTicksWithEveryEffectAndADeviceNothingIsAllocatedLoc
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::forbidden_test

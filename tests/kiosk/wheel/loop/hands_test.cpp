@@ -18,7 +18,7 @@
 
 // Hands are devices: several, of any kind, with any tool.
 
-namespace onggi::loop {
+namespace onggi::loop::hands_test {
 namespace {
 
 /// A hand that is somewhere, and tells what it felt, and when it went.
@@ -392,4 +392,4 @@ TEST(Faults, WhatWasForgottenAtTheWheelIsNoDifferenceToTheReplay) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::hands_test

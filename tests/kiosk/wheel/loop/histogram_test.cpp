@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace onggi::loop {
+namespace onggi::loop::histogram_test {
 namespace {
 
 TEST(Histogram, AQuantileIsWhatASortedListSaysWithinThreePercent) {
@@ -49,4 +49,4 @@ TEST(Histogram, EveryLengthLandsBelowTheUpperEndOfItsBinAndAboveTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::histogram_test

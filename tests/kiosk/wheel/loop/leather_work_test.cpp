@@ -16,7 +16,7 @@
 
 // A force device at a leather-hard pot.
 
-namespace onggi::loop {
+namespace onggi::loop::leather_work_test {
 namespace {
 
 using force::DecoratingLaw;
@@ -315,4 +315,4 @@ TEST(LeatherWork, WhileTicksComeLateItsForceFadesAsAtTheWheel) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::leather_work_test

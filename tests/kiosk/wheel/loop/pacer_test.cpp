@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace onggi::loop {
+namespace onggi::loop::pacer_test {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
@@ -88,4 +88,4 @@ TEST(Pacer, WakesAreAlwaysInTheFutureAndOnTheGrid) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::pacer_test

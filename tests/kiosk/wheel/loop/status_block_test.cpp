@@ -5,7 +5,7 @@
 #include <array>
 #include <thread>
 
-namespace onggi::loop {
+namespace onggi::loop::status_block_test {
 namespace {
 
 TEST(StatusBlock, AReaderNeverSeesHalfAStatus) {
@@ -33,4 +33,4 @@ TEST(StatusBlock, AReaderNeverSeesHalfAStatus) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::status_block_test

@@ -10,7 +10,7 @@
 #include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/wheel/loop/pots.h"
 
-namespace onggi::loop {
+namespace onggi::loop::wheel_commands_test {
 namespace {
 
 /// A stepped wheel with a pot on it.
@@ -289,4 +289,4 @@ TEST(Potter, APausedWheelStandsStill) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::wheel_commands_test

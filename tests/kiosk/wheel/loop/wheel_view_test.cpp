@@ -7,7 +7,7 @@
 #include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/wheel/loop/pots.h"
 
-namespace onggi::loop {
+namespace onggi::loop::wheel_view_test {
 namespace {
 
 void expect_the_view_is_the_clay(WheelHost& host) {
@@ -201,4 +201,4 @@ TEST(WheelView, APotThatTheWireCutFreeStandsWhileTheWheelTurnsOn) {
 }
 
 }  // namespace
-}  // namespace onggi::loop
+}  // namespace onggi::loop::wheel_view_test
