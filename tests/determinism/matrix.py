@@ -40,17 +40,17 @@ def folder(compiler, level):
     return f"{compiler}{level}".replace("+", "x").replace(" ", "").replace("=", "-")
 
 
-def build(compiler, level, where, *more, target="engine_trace"):
+def build(compiler, level, where, *more):
     """Path of the program; empty, with what was said, where it cannot be built. `more`: options of cmake's."""
     quiet = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "cwd": ROOT}
     for words in (["cmake", "-S", ROOT, "-B", where, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}",
                    "-DCMAKE_BUILD_TYPE=", f"-DCMAKE_CXX_FLAGS={level}", "-DONGGI_KIOSK=OFF", "-DONGGI_UNITY=ON", *more],
-                  ["cmake", "--build", where, "--target", target]):
+                  ["cmake", "--build", where, "--target", "engine_trace"]):
         run = subprocess.run(words, **quiet)
         if run.returncode:
             print(run.stdout)
             return ""
-    return os.path.join(where, "bin", target)
+    return os.path.join(where, "bin", "engine_trace")
 
 
 def run(program, *words, environment=None):

@@ -3,8 +3,11 @@
 the same state hashes in scenes that have none, and in those whose absent Defs are full of NaN. And to
 others where an effect is there, or the first engine would be no different.
 
-  tests/determinism/without_effects.py [--build build/determinism]
-  exit 0: all the same, 1: not, or one could not be built
+  tests/determinism/without_effects.py [--bin build/release/bin]
+  exit 0: all the same, 1: not, or one is not built
+
+Both are the Release that tests/bench counts the instructions of: tick_count, and tick_count_without_effects, whose scenes are
+compiled with -DONGGI_WITHOUT_EFFECTS (engine/effects/built.h). tests/run builds them.
 """
 
 import argparse
@@ -12,7 +15,7 @@ import os
 import subprocess
 import sys
 
-from matrix import ROOT, TELLING, build, folder, verdict
+from matrix import ROOT, verdict
 
 GRID = ["400", "360"]
 
@@ -20,14 +23,13 @@ GRID = ["400", "360"]
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", default=os.path.join(ROOT, "build/determinism"))
+    parser.add_argument("--bin", default=os.path.join(ROOT, "build/release/bin"))
     arguments = parser.parse_args()
-    compiler, level = TELLING[0]  # matrix.py has compiled its engine already
-    whole = build(compiler, level, os.path.join(arguments.build, folder(compiler, level)), target="tick_count")
-    without = build(compiler, f"{level} -DONGGI_WITHOUT_EFFECTS",
-                    os.path.join(arguments.build, "without_effects"), target="tick_count")
-    if not whole or not without:
-        return 1
+    whole, without = (os.path.join(arguments.bin, name) for name in ("tick_count", "tick_count_without_effects"))
+    for program in (whole, without):
+        if not os.path.isfile(program):
+            print(f"{program} is not built. Build it: cmake --preset ci && cmake --build --preset ci")
+            return 1
 
     def said(program, *words):
         return subprocess.run([program, *words], capture_output=True, text=True,
