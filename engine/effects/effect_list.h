@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "engine/effects/building.h"
 #include "engine/effects/friction.h"
 #include "engine/effects/kiln.h"
 #include "engine/effects/moisture.h"
@@ -28,6 +29,7 @@ struct Effects {
   std::optional<WobbleDef> wobble;
   std::optional<SlumpDef> slump;  ///< Needs volume.
   std::optional<VolumeDef> volume;
+  std::optional<BuildingDef> building;  ///< Needs volume.
   std::optional<FrictionDef> friction = FrictionDef{};
   std::optional<KilnDef> kiln;  ///< At the visit's end; not a stage of the tick.
 };
@@ -44,14 +46,16 @@ void each_effect(AnyEffects& def, Visit&& visit) {
   visit(def.wobble);
   visit(def.slump);
   visit(def.volume);
+  visit(def.building);
   visit(def.friction);
   visit(def.kiln);
 }
 
 namespace effects {
 
-/// The effects that work on rows, in the pipeline's order: 6.1 to 6.7.
-using RowStages = Stages<Propagation, Springback, Smoothing, Wobble, Slump, Tearing, Volume>;
+/// The effects that work on rows, in the pipeline's order: 6.1 to 6.8.
+using RowStages =
+    Stages<Propagation, Springback, Smoothing, Wobble, Slump, Tearing, Volume, Building>;
 
 }  // namespace effects
 }  // namespace onggi

@@ -91,6 +91,16 @@ void Moisture::soak_row(int stored, const Soaked& soaked) noexcept {
   most_taken_ = std::max(most_taken_, wet - dry);
 }
 
+void Moisture::row_added(const Clay& clay, int to, double wetness, double share) noexcept {
+  if (row_.empty()) {
+    mean_ += share * (wetness - mean_);
+    return;
+  }
+  row_[static_cast<std::size_t>(to)] = (wetness - air_) / decay_;
+  mean_ += (of_row(to) - mean_) / clay.rows();
+  rows_ = clay.rows();
+}
+
 void Moisture::row_divided(const Clay& clay, int from, int to) noexcept {
   if (row_.empty()) return;
   row_[static_cast<std::size_t>(to)] = row_[static_cast<std::size_t>(from)];

@@ -61,6 +61,9 @@ class Moisture {
   double of_row(int stored) const {
     return row_.empty() ? mean_ : air_ + row_[static_cast<std::size_t>(stored)] * decay_;
   }
+  /// The stored row `to` came at the top, and holds `share` (0..1) of the clay: as wet as
+  /// `wetness`.
+  void row_added(const Clay& clay, int to, double wetness, double share) noexcept;
   /// `from` was divided and the stored row `to` is half of it, or `from` was joined with `to`.
   /// `share` (0..1): the part of `to` in both. `clay` is the clay afterwards.
   void row_divided(const Clay& clay, int from, int to) noexcept;

@@ -18,6 +18,7 @@ struct Effects;
 
 namespace onggi::effects {
 
+class Building;
 class Moisture;
 class Volume;
 
@@ -49,10 +50,11 @@ struct StageWork {
   const Effects& def;
   Clay& clay;
   const RowTick& tick;
-  Volume* volume = nullptr;           ///< Null if absent.
-  WallSide side = WallSide::outside;  ///< The face whose turn it is,
-  double side_seconds = 0.0;          ///< and the time since its last turn.
-  bool laid = false;                  ///< A lump was laid since the last tick.
+  Volume* volume = nullptr;            ///< Null if absent,
+  const Building* building = nullptr;  ///< and this too.
+  WallSide side = WallSide::outside;   ///< The face whose turn it is,
+  double side_seconds = 0.0;           ///< and the time since its last turn.
+  bool laid = false;                   ///< A lump was laid since the last tick.
 
   /// Share by which the wall moves as a whole where face `face` moves without a press of its own:
   /// as under the hand on that face, or, without a hand there, as a wall that nobody holds.
@@ -71,6 +73,12 @@ struct RowsJoined {
   int from = 0, to = 0;
   double upper = 0.0;
 };
+/// Row `row`, stored at `to`, was added at the top with new clay of `volume` m^3.
+struct RowAdded {
+  int row = 0;
+  int to = 0;
+  double volume = 0.0;
+};
 /// Why the clay was laid anew.
 struct Laid {
   bool fresh = false;      ///< True for a fresh lump; false for undo.
@@ -88,6 +96,8 @@ concept Stage = requires(S& stage, const S& as_it_is, const Effects& def, Clay& 
   { S::make(def, clay) } -> std::same_as<S>;
   { stage.run(work) }
   noexcept;
+  { stage.row_added(clay, RowAdded{}) }
+  noexcept;
   { stage.row_divided(clay, RowDivided{}) }
   noexcept;
   { stage.rows_joined(clay, RowsJoined{}) }
@@ -103,6 +113,7 @@ concept Stage = requires(S& stage, const S& as_it_is, const Effects& def, Clay& 
 
 /// For a stage that keeps no data of rows between ticks.
 struct KeepsNoRows {
+  void row_added(const Clay&, const RowAdded&) noexcept {}
   void row_divided(const Clay&, const RowDivided&) noexcept {}
   void rows_joined(const Clay&, const RowsJoined&) noexcept {}
   void forget(Clay&, const Laid&) noexcept {}

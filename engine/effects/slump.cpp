@@ -70,7 +70,10 @@ Slump::Ring Slump::flow_alone(const SlumpDef& def, const Clay& clay, const Volum
   const double weak = around.moisture != nullptr
                           ? strength(*around.moisture_def, around.moisture->of_row(clay.stored(j)))
                           : 1.0;
-  const double yield = kRoot3 * def.yield_stress * weak;
+  const double joined = around.building != nullptr
+                            ? around.building->strength(*around.building_def, clay.stored(j))
+                            : 1.0;
+  const double yield = kRoot3 * def.yield_stress * weak * joined;
   const double over = weight + hoop - yield;
   if (over <= 0.0) return {{}, 0.0, over / yield};
 
@@ -130,7 +133,8 @@ void Slump::run(const StageWork& work) noexcept {
   const MoistureDef* moisture = work.def.moisture ? &*work.def.moisture : nullptr;
   const RowTick& tick = work.tick;
   sink(*work.def.slump, work.clay, *work.volume,
-       {tick.moisture, moisture, tick.wheel_speed, tick.seconds, tick.touched || work.laid});
+       {tick.moisture, moisture, tick.wheel_speed, tick.seconds, tick.touched || work.laid,
+        work.building, work.def.building ? &*work.def.building : nullptr});
 }
 
 void Slump::begin(const Clay& clay) noexcept {
@@ -226,6 +230,13 @@ void Slump::sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& 
     sweep_up(clay, round_.go_on(left, seconds_up(clay), clay.rows()));
     if (round_.over()) end(def, clay);
   }
+}
+
+// A sweep under way passes the new row by; the next one weighs it.
+void Slump::row_added(const Clay&, const RowAdded& added) noexcept {
+  ring_[static_cast<std::size_t>(added.row)] = {};
+  owed_[static_cast<std::size_t>(added.row)] = {};
+  asleep_ = false;
 }
 
 // The sweep continues where it was, between the same rows.

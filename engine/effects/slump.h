@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/effects/building.h"
 #include "engine/effects/moisture.h"
 #include "engine/effects/round.h"
 #include "engine/effects/row_stage.h"
@@ -47,9 +48,11 @@ class Slump {
   struct Around {
     const Moisture* moisture = nullptr;  ///< Null: dry.
     const MoistureDef* moisture_def = nullptr;
-    double wheel_speed = 0.0;  ///< rad/s
-    double seconds = 0.0;      ///< Of this tick.
-    bool touched = false;      ///< A hand pressed clay in this tick, or a lump was laid.
+    double wheel_speed = 0.0;            ///< rad/s
+    double seconds = 0.0;                ///< Of this tick.
+    bool touched = false;                ///< A hand pressed clay in this tick, or a lump was laid.
+    const Building* building = nullptr;  ///< Null: no joints,
+    const BuildingDef* building_def = nullptr;  ///< and this too.
   };
   /// Stage 6 of the pipeline. Runs before Volume::keep(), which lowers the rows that this widens.
   void sink(const SlumpDef& def, Clay& clay, Volume& volume, const Around& around) noexcept;
@@ -61,6 +64,7 @@ class Slump {
   bool fallen() const { return fallen_; }
   /// It has sagged by less than a tenth of that.
   bool stands() const { return stands_; }
+  void row_added(const Clay&, const RowAdded& added) noexcept;
   void row_divided(const Clay&, const RowDivided& divided) noexcept;
   void rows_joined(const Clay&, const RowsJoined& joined) noexcept;
   /// Call for a new pot: it has not fallen.

@@ -47,6 +47,7 @@ class Springback {
     const auto n = static_cast<std::size_t>(stored);
     return face_[0].rows[n] != 0 || face_[1].rows[n] != 0;
   }
+  void row_added(const Clay&, const RowAdded&) noexcept {}
   /// The upper half of a loaded row is loaded too.
   void row_divided(const Clay&, const RowDivided& divided) noexcept;
   void rows_joined(const Clay&, const RowsJoined&) noexcept {}  // loaded rows are never joined

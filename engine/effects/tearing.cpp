@@ -19,6 +19,7 @@ Tearing::Tearing(Clay& clay)
                      clay.def().inner_radius * clay.def().inner_radius),
       solid_square_(clay.def().outer_radius * clay.def().outer_radius),
       solid_rows_(clay.floor_rows()),
+      added_square_(static_cast<std::size_t>(clay.room())),
       lump_(static_cast<std::size_t>(clay.room()) + 1) {
   events_.reserve(kLumps * lump_);
   clay.areas()->keep_torn();
@@ -26,15 +27,25 @@ Tearing::Tearing(Clay& clay)
 
 // A ring's girth is that of the circle that halves its clay: radius^2 = (outer^2 + inner^2) / 2. It
 // stays when the clay only gets thicker or thinner, or when the ring lies off the axis.
-bool Tearing::tears_now(const WallsDef& def, const Clay& clay, int j) const noexcept {
+double Tearing::laid_square(int j, int stored) const noexcept {
+  const double added = added_square_[static_cast<std::size_t>(stored)];
+  return added > 0.0 ? added : j < solid_rows_ ? solid_square_ : hollow_square_;
+}
+
+bool Tearing::tears_now(const StageWork& work, int j) const noexcept {
+  const Clay& clay = work.clay;
+  const WallsDef& def = *work.def.walls;
   if (j < clay.floor_rows()) return false;
   const row_kernels::Ring ring =
       row_kernels::of(clay.vectors())
           .measure(clay.stride(), clay.outer(j).data(), clay.inner(j).data());
-  if (double{ring.thinnest} < def.tear_thickness) return true;
-  const double laid = j < solid_rows_ ? solid_square_ : hollow_square_;
-  const double wider = 1.0 + def.tear_strain;
-  return def.tear_strain > 0.0 && double{ring.squares} > wider * wider * laid * clay.sectors();
+  const int stored = clay.stored(j);
+  const double strength =
+      work.building != nullptr ? work.building->strength(*work.def.building, stored) : 1.0;
+  if (strength * double{ring.thinnest} < def.tear_thickness) return true;
+  const double wider = 1.0 + strength * def.tear_strain;
+  return def.tear_strain > 0.0 &&
+         double{ring.squares} > wider * wider * laid_square(j, stored) * clay.sectors();
 }
 
 void Tearing::note(Event event) noexcept {
@@ -55,28 +66,32 @@ int Tearing::next_unseen() noexcept {
 
 bool Tearing::wanted(const Effects& def) { return def.walls && tears(*def.walls); }
 
-// With volume, a later stage still asks which rows changed.
 void Tearing::run(const StageWork& work) noexcept {
-  look(*work.def.walls, work.clay, work.tick.seconds, work.tick.step, work.volume == nullptr);
-}
-
-void Tearing::look(const WallsDef& def, Clay& clay, double seconds, std::uint64_t step,
-                   bool last) noexcept {
+  Clay& clay = work.clay;
   RowAreas& areas = *clay.areas();
-  areas.add_changed(unseen_, last);
-  for (owed_ += clay.rows() * seconds / kRound; owed_ >= 1.0; owed_ -= 1.0) {
+  // With volume, a later stage still asks which rows changed.
+  areas.add_changed(unseen_, work.volume == nullptr);
+  for (owed_ += clay.rows() * work.tick.seconds / kRound; owed_ >= 1.0; owed_ -= 1.0) {
     const int j = next_unseen();
     if (j < 0) {
       owed_ = 0.0;
       return;
     }
     if (j >= clay.rows()) continue;
-    if (areas.torn(j) || !tears_now(def, clay, j)) continue;
+    if (areas.torn(j) || !tears_now(work, j)) continue;
     areas.tear(j);
     ++torn_rows_;
-    note({step, clay.stored(j)});
+    note({work.tick.step, clay.stored(j)});
     clay.mark_to_draw(j);
   }
+}
+
+void Tearing::row_added(const Clay& clay, const RowAdded& added) noexcept {
+  const row_kernels::Ring ring =
+      row_kernels::of(clay.vectors())
+          .measure(clay.stride(), clay.outer(added.row).data(), clay.inner(added.row).data());
+  added_square_[static_cast<std::size_t>(added.to)] = double{ring.squares} / clay.sectors();
+  unseen_.add(added.row);
 }
 
 void Tearing::row_divided(const Clay&, const RowDivided& divided) noexcept {
@@ -84,6 +99,8 @@ void Tearing::row_divided(const Clay&, const RowDivided& divided) noexcept {
   const bool unseen = unseen_.has(j);
   unseen_.open(j + 1);
   if (unseen) unseen_.add(j + 1);
+  added_square_[static_cast<std::size_t>(divided.to)] =
+      added_square_[static_cast<std::size_t>(divided.from)];
 }
 
 void Tearing::rows_joined(const Clay&, const RowsJoined& joined) noexcept {
@@ -98,6 +115,7 @@ void Tearing::lay(Clay& clay, std::uint64_t step) noexcept {
   clay.areas()->mend();
   torn_rows_ = 0;
   unseen_.clear();
+  std::ranges::fill(added_square_, 0.0);
 }
 
 void Tearing::go_back(Clay& clay, std::uint64_t step) noexcept {

@@ -24,14 +24,12 @@ class Tearing {
   static constexpr bool kAsksMoves = false;
   static bool wanted(const Effects& def);
   static Tearing make(const Effects&, Clay& clay) { return Tearing(clay); }
-  void run(const StageWork& work) noexcept;
 
   /// Stage 6.6: changed rings take turns, each within 0.1 s. A ring tears if its wall is somewhere
-  /// thinner than `def.tear_thickness`, or if it is wider than the lump's by more than
-  /// `def.tear_strain`. `step`: History::depth() of this tick. `last`: no later stage asks which
-  /// rows changed. O(sectors) a row.
-  void look(const WallsDef& def, Clay& clay, double seconds, std::uint64_t step,
-            bool last) noexcept;
+  /// thinner than WallsDef::tear_thickness, or if it is wider than it was laid by more than
+  /// WallsDef::tear_strain. A joint of coils (Building) tears sooner, by its strength. O(sectors) a
+  /// row.
+  void run(const StageWork& work) noexcept;
   /// A fresh lump was laid in `step`.
   void lay(Clay& clay, std::uint64_t step) noexcept;
   /// `step` and all later steps were taken back: what tore in them is whole.
@@ -41,6 +39,8 @@ class Tearing {
     laid.fresh ? lay(clay, laid.step) : go_back(clay, laid.step);
   }
 
+  /// The row is as wide as it was laid.
+  void row_added(const Clay& clay, const RowAdded& added) noexcept;
   /// Only whole rows are divided or joined.
   void row_divided(const Clay&, const RowDivided& divided) noexcept;
   void rows_joined(const Clay&, const RowsJoined& joined) noexcept;
@@ -56,7 +56,8 @@ class Tearing {
     std::uint64_t step = 0;
     int row = kFreshLump;  // stored row that tore
   };
-  bool tears_now(const WallsDef& def, const Clay& clay, int j) const noexcept;
+  bool tears_now(const StageWork& work, int j) const noexcept;
+  double laid_square(int j, int stored) const noexcept;
   void note(Event event) noexcept;
   int next_unseen() noexcept;
 
@@ -64,6 +65,7 @@ class Tearing {
   std::vector<Event> events_;            // steps never fall; capacity never grows
   double hollow_square_, solid_square_;  // girth of the lump's rings, squared: see tears_now()
   int solid_rows_;                       // of the lump
+  std::vector<double> added_square_;     // by stored row, of rows that came later; 0: the lump's
   std::size_t lump_;                     // events that one lump has at most
   int torn_rows_ = 0;
   int next_ = 0;

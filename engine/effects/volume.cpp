@@ -82,6 +82,14 @@ Volume::Volume(Clay& clay, const Limits& limits) : limits_(limits) {
 
 bool Volume::wanted(const Effects& def) { return def.volume.has_value(); }
 
+// A pot that is built has its own tallest height.
+Volume Volume::make(const Effects& def, Clay& clay) {
+  Limits limits;
+  if (def.building)
+    limits.tallest = std::max(1.0, def.building->tallest / clay.def().height) / kHeld;
+  return Volume(clay, limits);
+}
+
 bool Volume::pressed_down(const Clay& clay, int j) const noexcept {
   return clay.row_thickness(j) < thickness_[static_cast<std::size_t>(j)];
 }
@@ -225,6 +233,12 @@ int Volume::take_thick(const Clay& clay, double times, int from) noexcept {
     for (int j = raised_.take(begin); j >= 0; j = raised_.take(j + 1))
       if (j < clay.rows() && clay.row_thickness(j) > most) return j;
   return -1;
+}
+
+void Volume::row_added(const Clay& clay, const RowAdded& added) noexcept {
+  const auto n = static_cast<std::size_t>(added.row);
+  volume_[n] = added.volume;
+  thickness_[n] = clay.row_thickness(added.row);
 }
 
 void Volume::row_divided(const Clay& clay, const RowDivided& divided) noexcept {

@@ -40,7 +40,7 @@ class Volume {
 
   static constexpr bool kAsksMoves = false;
   static bool wanted(const Effects& def);
-  static Volume make(const Effects&, Clay& clay) { return Volume(clay); }
+  static Volume make(const Effects& def, Clay& clay);
   void run(const StageWork& work) noexcept { keep(work.clay, work.tick.seconds); }
 
   /// Stage 6 of the pipeline. Rows that lost area since the last call get higher, as far as they
@@ -62,6 +62,8 @@ class Volume {
   void return_to(Clay& clay, std::uint64_t step) noexcept;
 
   double of_row(int j) const { return volume_[static_cast<std::size_t>(j)]; }  ///< m^3
+  /// Share of the clay that row `j` holds, 0..1. O(rows).
+  double share_of_row(const Clay& clay, int j) const noexcept { return of_row(j) / sum(clay); }
   /// Moves `volume` m^3 from row `j` to row `to`; a negative volume moves the other way. keep()
   /// then sets their heights.
   void give(Clay& clay, int j, int to, double volume) noexcept;
@@ -70,6 +72,7 @@ class Volume {
   /// only once until it is raised again.
   int take_thick(const Clay& clay, double times, int from) noexcept;
   void ask_again(int j) noexcept { raised_.add(j); }
+  void row_added(const Clay& clay, const RowAdded& added) noexcept;
   void row_divided(const Clay& clay, const RowDivided& divided) noexcept;
   void rows_joined(const Clay& clay, const RowsJoined& joined) noexcept;
   void forget(Clay& clay, const Laid& laid) noexcept {

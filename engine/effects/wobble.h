@@ -66,6 +66,7 @@ class Wobble {
   /// one inside, by a share of their offset on the hand's side. The offset never grows. O(sectors)
   /// a row.
   void centre(const WobbleDef& def, Clay& clay, double seconds) noexcept;
+  void row_added(const Clay&, const RowAdded&) noexcept {}
   void row_divided(const Clay&, const RowDivided& divided) noexcept;
   void rows_joined(const Clay&, const RowsJoined& joined) noexcept;
   void forget(Clay&, const Laid&) noexcept {

@@ -193,12 +193,14 @@ std::vector<std::string> effect_names() {
 void add_effect(SceneDef& def, std::size_t n) {
   if (def.paper) return;
   at_place(def, n, [](auto& effect) { effect.emplace(); });
-  if (def.slump && !def.volume) def.volume.emplace();
+  if ((def.slump || def.building) && !def.volume) def.volume.emplace();
 }
 
 void remove_effect(SceneDef& def, std::size_t n) {
   at_place(def, n, [](auto& effect) { effect.reset(); });
-  if (def.slump && !def.volume) def.slump.reset();
+  if (def.volume) return;
+  def.slump.reset();
+  def.building.reset();
 }
 
 bool has_effect(const SceneDef& def, std::size_t n) {

@@ -28,6 +28,7 @@ std::vector<Tool> tools_of(const SceneDef& def) {
 
 void HandState::leave() noexcept {
   present = false;
+  rests = false;
   contact.release();
   wire = {};
   guard.release();
@@ -39,9 +40,10 @@ bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep
                     in.tool < tools.size();
   if (!good) guard.release();
   if (!good && !present) return false;
-  if (good && in.tool != tool) {
+  if (good && (in.tool != tool || in.coil != coil)) {
     leave();
     tool = in.tool;
+    coil = in.coil;
   }
   const Tool& mine = tools[tool];
   const Vec3 to = good ? in.position : at;
@@ -84,7 +86,8 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
   hash.add(std::uint64_t{present} | std::uint64_t{contact.touching()} << 1 |
            std::uint64_t{guard.armed()} << 2 | static_cast<std::uint64_t>(contact.side()) << 3 |
            static_cast<std::uint64_t>(contact.place()) << 4 | std::uint64_t{tool} << 8 |
-           std::uint64_t{wire.drawing} << 16);
+           std::uint64_t{wire.drawing} << 16 | std::uint64_t{coil} << 17 |
+           std::uint64_t{rests} << 18);
   if (tools[tool].shape->round()) return;  // round tools have no handle
   add(along);
   add(across);

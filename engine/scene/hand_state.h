@@ -29,6 +29,8 @@ struct HandState {
   Vec3 along, across;     // directions of handle and face,
   std::uint8_t tool = 0;  // and tool
   bool present = false;   // active, with a known position
+  bool coil = false;      // it holds a coil,
+  bool rests = false;     // which lay on the rim in this tick
   ToolContact contact;
   WireHand wire;
   force::Guard guard;

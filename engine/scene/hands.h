@@ -21,6 +21,9 @@ struct HandInput {
   Vec3 handle{};      ///< Direction of the tool's length; need not be a unit vector. (0, 0, 0): a
                       ///< potter's usual grip, turned with the hand's angle about the axis.
   double roll = 0.0;  ///< Turn about that direction, rad.
+  bool coil = false;  ///< It holds a coil of clay, with its middle at `position`, and lays it on
+                      ///< the rim; its tool presses nothing. Only where the scene has BuildingDef.
+                      ///< A change lifts the hand.
   friend bool operator==(const HandInput&, const HandInput&) = default;
 };
 

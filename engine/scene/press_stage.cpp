@@ -28,14 +28,28 @@ void Scene::State::draw_wire(Tick& tick, std::size_t n) noexcept {
   tick.press[n] = slit.draw(clay, sweep, hand[n].wire, def.contact.stiffness);
 }
 
+// Stage 5, for a coil, within the part of a tick that `tick` is.
+void Scene::State::lay_coil(const Tick& tick, std::size_t n) noexcept {
+  const auto in_clay = [](Vec3 at, double angle) {
+    const double c = portable::cos(angle), s = portable::sin(angle);
+    return Vec3{c * at.x + s * at.z, at.y, c * at.z - s * at.x};
+  };
+  const ToolSweep& way = tick.sweep[n];
+  hand[n].rests =
+      row_effects->lay(def, clay, in_clay(way.from, tick.angle_from),
+                       in_clay(way.to, tick.angle_from + tick.turn), tick.dt, steps_taken());
+}
+
 // Stage 5. Both hands advance together in small steps.
 void Scene::State::press_clay(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n)
-    if (hand[n].present && tools[hand[n].tool].shape->severs()) draw_wire(tick, n);
+    if (hand[n].present && !hand[n].coil && tools[hand[n].tool].shape->severs()) draw_wire(tick, n);
   if (slit.free()) {
     for (scene::HandState& h : hand) h.contact = {};
     return;
   }
+  for (std::size_t n = 0; n < hand.size(); ++n)
+    if (hand[n].present && hand[n].coil && lump.playing()) lay_coil(tick, n);
   std::array<Yielding, kMaxHands> yielding;
   int steps = 1;
   for (std::size_t n = 0; n < hand.size(); ++n) {

@@ -15,18 +15,24 @@ using namespace replay_bytes;
 constexpr std::size_t kMostTicks = 4'000'000;  // over an hour; a visit is minutes
 constexpr std::size_t kLongestId = 4096;
 
-// All switches in 16 bits: three per hand, three for the potter.
+constexpr unsigned kCoils = 3 * (kMaxHands + 1);  // the first hand's bit; later than the others
+
+// All switches in 16 bits: three per hand, three for the potter, a coil per hand.
 std::uint16_t switches_of(const Hands& hands) {
   unsigned bits = 0;
   for (const HandInput& hand : hands.hand)
     bits = bits << 3 | static_cast<unsigned>(hand.side) << 1 | static_cast<unsigned>(hand.active);
   bits =
       bits << 3 | unsigned{hands.water} << 2 | unsigned{hands.renew} << 1 | unsigned{hands.restore};
+  for (std::size_t n = 0; n < hands.hand.size(); ++n)
+    bits |= unsigned{hands.hand[n].coil} << (kCoils + n);
   return static_cast<std::uint16_t>(bits);
 }
 
 bool put_switches(Hands& hands, std::uint16_t bits) {
-  if (bits >= 1u << (3 * (kMaxHands + 1))) return false;
+  if (bits >= 1u << (kCoils + kMaxHands)) return false;
+  for (std::size_t n = 0; n < hands.hand.size(); ++n)
+    hands.hand[n].coil = (bits >> (kCoils + n) & 1u) != 0;
   hands.restore = (bits & 1u) != 0;
   hands.renew = (bits & 2u) != 0;
   hands.water = (bits & 4u) != 0;

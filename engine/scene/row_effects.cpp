@@ -66,8 +66,20 @@ effects::Volume* RowEffects::volume() {
   return volume ? &*volume : nullptr;
 }
 
+effects::Building* RowEffects::building() {
+  auto& building = std::get<std::optional<effects::Building>>(stages_);
+  return building ? &*building : nullptr;
+}
+
 int RowEffects::spare_rows(const SceneDef& def) {
-  return effects::kBuilt && def.volume ? effects::Refinement::spare_rows(def.clay) : 0;
+  if (!effects::kBuilt || !def.volume) return 0;
+  const int coils = def.building ? effects::Building::spare_rows(*def.building, def.clay) : 0;
+  return effects::Refinement::spare_rows(def.clay) + coils;
+}
+
+bool RowEffects::lay(const Effects& def, Clay& clay, Vec3 from, Vec3 to, double seconds,
+                     std::uint64_t step) noexcept {
+  return building()->lay(*def.building, clay, from, to, seconds, step);
 }
 
 std::unique_ptr<RowEffects> RowEffects::make(const Effects& def, Clay& clay) {
@@ -97,10 +109,12 @@ void RowEffects::run(const Effects& def, Clay& clay, const Tick& tick) noexcept 
         tick.hand[n].normal > 0.0 ? 0.0 : std::min(since_touch_[n] + tick.seconds, 1.0);
   const bool asks_moves = clay.displacements(false) != nullptr;
   if (asks_moves) take_turn(clay, tick.seconds);
-  // 6.1 to 6.7
-  const effects::StageWork work{def, clay, tick, volume(), turn_.side, turn_.seconds, settled_};
+  // 6.1 to 6.8
+  const effects::StageWork work{def,        clay,       tick,          volume(),
+                                building(), turn_.side, turn_.seconds, settled_};
   each([&](auto& stage) { stage.run(work); });
-  // 6.8
+  // 6.9, 6.10
+  if (building() != nullptr) add_coil(def, clay, tick);
   if (work.volume != nullptr) refine(clay, tick);
   if (asks_moves)
     if (Displacements& moved = *clay.displacements(turn_.side == WallSide::inside); moved.any())
@@ -117,6 +131,25 @@ void RowEffects::take_turn(Clay& clay, double seconds) noexcept {
     turn_ = {turn_.side == WallSide::outside ? WallSide::inside : WallSide::outside, 2.0 * seconds};
   else
     turn_ = {inside ? WallSide::inside : WallSide::outside, seconds};
+}
+
+// As much as the lump's renewal takes in a tick, and at least a row.
+void RowEffects::add_coil(const Effects& def, Clay& clay, const Tick& tick) noexcept {
+  constexpr int kElementsATick = 8192;
+  effects::Building& coil = *building();
+  const int first = clay.rows();
+  for (int n = std::max(1, kElementsATick / clay.stride()); n > 0 && coil.rises(); --n) {
+    if (tick.history != nullptr) {
+      tick.history->keep_row(clay, clay.next_spare());
+      tick.history->note_inserted(clay.rows());
+    }
+    const effects::RowAdded added = coil.raise(*def.building, clay, tick.step);
+    each([&](auto& stage) { stage.row_added(clay, added); });
+    if (tick.moisture != nullptr)
+      tick.moisture->row_added(clay, added.to, def.building->wetness,
+                               volume()->share_of_row(clay, added.row));
+  }
+  if (clay.rows() > first) clay.restack_divided(first);
 }
 
 // Few changes a tick, because each costs a row's elements and moves all rows above.

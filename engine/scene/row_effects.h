@@ -30,6 +30,11 @@ class RowEffects {
   /// True if hand `n` touches clay or did a moment ago. On a turning wheel contact may pause
   /// between two elements, and the hand still holds the wall.
   bool holds(std::size_t n) const { return since_touch_[n] <= kMoment; }
+  /// Stage 5: a hand's coil (clay frame, m) goes from `from` to `to`: Building::lay().
+  bool lay(const Effects& def, Clay& clay, Vec3 from, Vec3 to, double seconds,
+           std::uint64_t step) noexcept;
+  /// Null if absent.
+  effects::Building* building();
   /// Stage 6: the present stages, in order. No allocation.
   void run(const Effects& def, Clay& clay, const Tick& tick) noexcept;
   /// Takes over a clay that was laid anew, `element_budget` elements a call. True when done.
@@ -76,6 +81,7 @@ class RowEffects {
   template <class Visit>
   void each(Visit&& visit);
   void take_turn(Clay& clay, double seconds) noexcept;
+  void add_coil(const Effects& def, Clay& clay, const Tick& tick) noexcept;
   void refine(Clay& clay, const Tick& tick) noexcept;
   void divide(Clay& clay, int j, const Tick& tick) noexcept;
   void join(Clay& clay, int j, const Tick& tick) noexcept;

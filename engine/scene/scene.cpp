@@ -45,6 +45,12 @@ bool Scene::torn(int row) const {
 double Scene::wetness_of(int row) const {
   return state_->moisture ? state_->moisture->of_row(state_->clay.stored(row)) : 0.0;
 }
+CoilView Scene::coil() const {
+  const effects::Building* building = state_->building();
+  if (building == nullptr || !building->laid().any()) return {};
+  const BuildingDef& def = *state_->def.building;
+  return {building->laid().centres(), def.coil, building->laid_height(def, state_->clay)};
+}
 bool Scene::laying() const { return !state_->lump.playing(); }
 bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
 int Scene::take_dirty_row(int from) noexcept { return state_->clay.take_dirty(from); }

@@ -6,6 +6,7 @@
 #include "engine/base/result.h"
 #include "engine/clay/clay.h"
 #include "engine/math/vectors.h"
+#include "engine/scene/coil_view.h"
 #include "engine/scene/hand_view.h"
 #include "engine/scene/hands.h"
 #include "engine/scene/scene_def.h"
@@ -45,6 +46,8 @@ class Scene {
   bool torn(int row) const;
   /// Wetness of row `row` of the clay, 0..1, for drawing.
   double wetness_of(int row) const;
+  /// The coil on the rim (BuildingDef).
+  CoilView coil() const;
   /// A fresh lump is being laid, or a step undone: rows are partly old, partly new.
   bool laying() const;
   /// Hands::restore has a stroke, or a fresh lump, to undo.

@@ -65,7 +65,9 @@ Result<void> check_needs(const SceneDef& def) {
     return problem(name, std::string(name) + " needs " + other + ".",
                    std::string("Add a [") + other + "] table or remove [" + name + "].");
   };
-  if (def.slump) return needs(SlumpDef::kName, def.volume.has_value(), VolumeDef::kName);
+  const bool volume = def.volume.has_value();
+  if (def.slump && !volume) return needs(SlumpDef::kName, volume, VolumeDef::kName);
+  if (def.building) return needs(BuildingDef::kName, volume, VolumeDef::kName);
   return {};
 }
 

@@ -54,7 +54,9 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
     return;
   }
   tick.sweep[n].seconds = tick.dt;
-  tick.held[n] = !h.take(in, tools, tick.sweep[n]);
+  HandInput taken = in;
+  taken.coil = in.coil && building() != nullptr;
+  tick.held[n] = !h.take(taken, tools, tick.sweep[n]);
   if (!tick.held[n]) return;
   faults |= kFaultInput;
   ++counters.held_samples;
@@ -108,7 +110,8 @@ void Scene::State::work_on_lump(const Hands& hands) noexcept {
 // Stage 4, at the tick's end: keeps what a visitor may undo.
 void Scene::State::keep_history(const Tick& tick) noexcept {
   bool touching = false;
-  for (const scene::HandState& h : hand) touching = touching || (h.present && h.contact.touching());
+  for (const scene::HandState& h : hand)
+    touching = touching || (h.present && (h.contact.touching() || h.rests));
   lump.follow(lump_parts(), touching, tick.dt);
 }
 
@@ -212,17 +215,46 @@ void Scene::State::feel(Tick& tick) noexcept {
       const Vec3 slip = velocity - touch.clay;
       force += effects::friction_force(press.force, press.normal, slip, mu, friction.slip_speed);
     }
-    const body::Ball lowest = shape.support(place, size, kDown);
-    const double below = lowest.radius - lowest.middle.y;
-    const double stop = stop_force(below, lowest.radius, def.contact.stiffness);
-    if (stop > 0.0) {
-      touch.push.y += stop;
-      touch.relaxation = 0.0;
-      touch.stiffness += kOfAQuadratic * stop / below;
-      force.y += stop;
-    }
     tick.wanted[n] = force;
+    const body::Ball lowest = shape.support(place, size, kDown);
+    feel_stop(tick, n, lowest.radius - lowest.middle.y, lowest.radius, {0.0, 1.0, 0.0});
+    if (building() != nullptr) feel_coil(tick, n);
   }
+}
+
+// Stage 7. Something firm, in which a ball of `radius` lies `depth` deep (m), pushes it `out`
+// (studio frame, unit).
+void Scene::State::feel_stop(Tick& tick, std::size_t n, double depth, double radius,
+                             Vec3 out) noexcept {
+  const double stop = stop_force(depth, radius, def.contact.stiffness);
+  if (!(stop > 0.0)) return;
+  tick.touch[n].push += stop * out;
+  tick.touch[n].relaxation = 0.0;
+  tick.touch[n].stiffness += kOfAQuadratic * stop / depth;
+  tick.wanted[n] += stop * out;
+}
+
+// Stage 7. A coil on the rim is firm until its ring is closed: a bare hand feels it. A hand that
+// holds a coil feels the rim through it instead.
+void Scene::State::feel_coil(Tick& tick, std::size_t n) noexcept {
+  const effects::LaidCoil& laid = building()->laid();
+  const scene::HandState& h = hand[n];
+  if (laid.closed() || (!laid.any() && !h.coil)) return;
+  const double angle = tick.angle_from + tick.turn;
+  const double c = portable::cos(angle), s = portable::sin(angle);
+  const double coil = def.building->coil;
+  const double height = building()->laid_height(*def.building, clay);
+  body::Ball ball{h.at, 0.5 * coil};
+  if (!h.coil) {
+    const Vec3 towards{0.0, height > h.at.y ? 1.0 : -1.0, 0.0};
+    ball = tools[h.tool].shape->within({h.at, h.along, h.across}, tools[h.tool].size, towards);
+  }
+  const Vec3 at{c * ball.middle.x + s * ball.middle.z, ball.middle.y,
+                c * ball.middle.z - s * ball.middle.x};
+  const effects::Overlap found = h.coil ? effects::rim_touched(clay, at, ball.radius)
+                                        : laid.touched(clay, at, ball.radius, coil, height);
+  feel_stop(tick, n, found.depth, ball.radius,
+            {c * found.out.x - s * found.out.z, found.out.y, s * found.out.x + c * found.out.z});
 }
 
 // Stages 5 and 7 as printed in the paper: no steps within the tick, no stops, and a filter.

@@ -7,6 +7,7 @@
 
 #include "engine/clay/history.h"
 #include "engine/contact/paper_model.h"
+#include "engine/effects/built.h"
 #include "engine/scene/hand_state.h"
 #include "engine/scene/lump_work.h"
 #include "engine/scene/row_effects.h"
@@ -84,11 +85,15 @@ struct Scene::State {
   Yielding yielding_at(double height) const;
   void keep_history(const Tick& tick) noexcept;
   bool presses(const scene::HandState& h) const {
-    return h.present && !tools[h.tool].shape->severs();
+    return h.present && !h.coil && !tools[h.tool].shape->severs();
+  }
+  const effects::Building* building() const {
+    return effects::kBuilt && row_effects ? row_effects->building() : nullptr;
   }
   std::uint64_t steps_taken() const { return history ? history->depth() : 0; }
   bool fallen() const { return row_effects && row_effects->fallen(); }
   void draw_wire(Tick& tick, std::size_t n) noexcept;
+  void lay_coil(const Tick& tick, std::size_t n) noexcept;
   void press_clay(Tick& tick) noexcept;
   void press_and_work(Tick& tick) noexcept;
   void work_on_rows(const Tick& tick) noexcept;
@@ -97,6 +102,8 @@ struct Scene::State {
   void balance(const Tick& tick, Faces& face) const noexcept;
   void bend_walls(const Tick& tick, Faces& face) const noexcept;
   void feel(Tick& tick) noexcept;
+  void feel_stop(Tick& tick, std::size_t n, double depth, double radius, Vec3 out) noexcept;
+  void feel_coil(Tick& tick, std::size_t n) noexcept;
   void press_as_printed(Tick& tick) noexcept;
   Feedback guard_and_report(const Tick& tick) noexcept;
 };

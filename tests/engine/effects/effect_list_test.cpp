@@ -30,6 +30,13 @@ void expect(std::string_view effect, std::span<const Told> told) {
 
 // What a scene's file gets that leaves a number out, and what it may say: config/README.md.
 TEST(EffectField, EveryNumberHasItsUsualValueAndItsEnds) {
+  expect<BuildingDef>("building", std::to_array<Told>({{"coil", 0.013, 0.008, 0.03},
+                                                       {"tallest", 0.3, 0.05, 1.0},
+                                                       {"pace", 0.5, 0.02, 5.0},
+                                                       {"drift", 0.05, 0.0, 0.25},
+                                                       {"joint", 0.3, 0.05, 1.0},
+                                                       {"pinched", 0.8, 0.0, 1.0},
+                                                       {"wetness", 0.1, 0.0, 1.0}}));
   expect<FrictionDef>("friction", std::to_array<Told>({{"coefficient", 0.35, 0.0, 2.0},
                                                        {"wet_factor", 0.3, 0.0, 1.0},
                                                        {"slip_speed", 0.01, 1e-4, 0.1}}));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/effects/effect_list.h"
 #include "engine/effects/slump.h"
 #include "engine/effects/springback.h"
 #include "engine/effects/tearing.h"
@@ -138,14 +139,16 @@ TEST(Late, ARingThatIsTooThinIsLookedAtWithinATenthOfASecond) {
     for (const double dt : {0.001, 0.005}) {
       Clay clay = std::move(*Clay::create(clay_of(grid)));
       clay.keep_areas();
-      WallsDef def;
-      def.tear_thickness = 0.011;  // every ring of the lump
+      Effects def;
+      def.walls.emplace().tear_thickness = 0.011;  // every ring of the lump
+      RowTick tick;
+      tick.seconds = dt;
       Tearing tearing(clay);
       tearing.lay(clay, 0);
       for (int j = 0; j < clay.rows(); ++j) clay.areas()->mark(j);
       double t = 0.0;
       for (bool all = false; !all && t < 1.0; t += dt) {
-        tearing.look(def, clay, dt, 0, true);
+        tearing.run({def, clay, tick});
         all = true;
         for (int j = 0; j < clay.rows(); ++j) all = all && clay.areas()->torn(j);
       }

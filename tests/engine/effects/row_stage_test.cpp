@@ -21,6 +21,10 @@ struct NotRun : Whole {
   static NotRun make(const Effects&, Clay&) { return {}; }
   void run(const StageWork&) = delete;
 };
+struct NotToldOfAdded : Whole {
+  static NotToldOfAdded make(const Effects&, Clay&) { return {}; }
+  void row_added(const Clay&, const RowAdded&) = delete;
+};
 struct NotToldOfDivided : Whole {
   static NotToldOfDivided make(const Effects&, Clay&) { return {}; }
   void row_divided(const Clay&, const RowDivided&) = delete;
@@ -46,6 +50,7 @@ TEST(Stage, OneThatForgetsToSayWhatARowMeansToItIsNone) {
   static_assert(Stage<Whole>);
   static_assert(!Stage<NotMade>);
   static_assert(!Stage<NotRun>);
+  static_assert(!Stage<NotToldOfAdded>);
   static_assert(!Stage<NotToldOfDivided>);
   static_assert(!Stage<NotToldOfJoined>);
   static_assert(!Stage<NeverForgets>);

@@ -13,6 +13,12 @@
 namespace onggi::effects::tearing_test {
 namespace {
 
+void look(Tearing& tearing, const SceneDef& def, Clay& clay, double seconds) {
+  RowTick tick;
+  tick.seconds = seconds;
+  tearing.run({def, clay, tick});
+}
+
 using namespace effects_test;
 
 // A tube whose wall is 10 mm and tears below 2.5 mm.
@@ -83,7 +89,7 @@ TEST(Tearing, WhatIsTornStaysTornThoughItIsThickAgain) {
   const auto set_wall = [&](float wall) {
     for (float& inner : clay->inner_mut(40)) inner = 0.055f - wall;
     clay->areas()->mark(40);
-    for (int n = 0; n < 80; ++n) tearing.look(*def.walls, *clay, 0.001, 0, true);
+    for (int n = 0; n < 80; ++n) look(tearing, def, *clay, 0.001);
   };
   set_wall(0.0026f);
   EXPECT_FALSE(tearing.any());
@@ -100,7 +106,7 @@ TEST(Tearing, OneThinPlaceTearsTheRing) {
   clay->keep_areas();
   Tearing tearing(*clay);
   clay->inner_mut(40)[63] = 0.053f;
-  for (int n = 0; n < 80; ++n) tearing.look(*def.walls, *clay, 0.001, 0, true);
+  for (int n = 0; n < 80; ++n) look(tearing, def, *clay, 0.001);
   EXPECT_TRUE(clay->areas()->torn(40));
   EXPECT_FALSE(clay->areas()->torn(41));
 }
@@ -244,7 +250,7 @@ TEST(Tearing, ARowThatCameInTheStepTakenBackLeavesNoTear) {
   tearing.row_divided(clay, {kRow});
   std::ranges::fill(clay.inner_mut(kRow + 1), 0.0535f);
   // Found at once, it counts with the step before the one that has just begun.
-  tearing.look(*def.walls, clay, 0.2, 0, true);
+  look(tearing, def, clay, 0.2);
   ASSERT_TRUE(clay.areas()->torn(kRow + 1));
   clay.erase_row(kRow + 1);
   tearing.go_back(clay, 1);

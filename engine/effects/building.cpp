@@ -1,0 +1,197 @@
+#include "engine/effects/building.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/effects/effect_list.h"
+#include "engine/effects/volume.h"
+#include "engine/math/portable.h"
+
+namespace onggi {
+
+std::span<const DefField<BuildingDef>> BuildingDef::fields() {
+  static constexpr DefField<BuildingDef> kFields[] = {
+      {"coil", &BuildingDef::coil, 0.008, 0.03, "m"},
+      {"tallest", &BuildingDef::tallest, 0.05, 1.0, "m"},
+      {"pace", &BuildingDef::pace, 0.02, 5.0, "m/s"},
+      {"drift", &BuildingDef::drift, 0.0, 0.25, "coils"},
+      {"joint", &BuildingDef::joint, 0.05, 1.0, ""},
+      {"pinched", &BuildingDef::pinched, 0.0, 1.0, ""},
+      {"wetness", &BuildingDef::wetness, 0.0, 1.0, ""},
+  };
+  return kFields;
+}
+
+namespace effects {
+namespace {
+
+constexpr int kRings = 64;          // whose laying can be taken back
+constexpr double kCut = 0.8;        // share of the coil's radius left above and below its
+                                    // middle, where it is pressed on the ring below
+constexpr double kLeans = 0.2;      // coils: the farthest that a hand lays beside the wall
+constexpr double kRests = 0.25;     // coils: the least that lies on the wall
+constexpr double kUpright = 0.3;    // of `out`: the coil lies on the rim, not beside it
+constexpr double kJoint = 0.002;    // m: height of the weak band above a joint. An estimate
+constexpr double kWorked = 0.0005;  // m: moves that leave 1/e of a joint as it was. An estimate
+constexpr double kThickest = 0.9 * Volume::kThickest;  // times a fresh lump's rows
+
+double section_of(const BuildingDef& def) { return 0.25 * portable::kPi * def.coil * def.coil; }
+
+// Width of the ring's wall in slice `k` of `slices` of equal height, m.
+double width(const BuildingDef& def, const ClayDef& clay, int k, int slices) {
+  const double up = kCut * ((2 * k + 1.0) / slices - 1.0);
+  return std::max(def.coil * std::sqrt(1.0 - up * up), clay.wall_min * (1.0 + 1e-6));
+}
+double widths(const BuildingDef& def, const ClayDef& clay, int slices) {
+  double sum = 0.0;
+  for (int k = 0; k < slices; ++k) sum += width(def, clay, k, slices);
+  return sum;
+}
+
+// As many rows as the ring's height has at a fresh lump's thickness.
+int slices_of(const BuildingDef& def, const ClayDef& clay) {
+  const double rows = Building::ring_height(def, clay) * clay.rows / clay.height;
+  return std::max(1, static_cast<int>(std::lround(rows)));
+}
+
+}  // namespace
+
+Building::Building(const Clay& clay)
+    : laid_(clay.sectors(), kRings), joints_(static_cast<std::size_t>(clay.room())) {}
+
+bool Building::wanted(const Effects& def) { return def.building.has_value(); }
+
+double Building::ring_height(const BuildingDef& def, const ClayDef& clay) {
+  constexpr int kSlices = 64;
+  return section_of(def) * kSlices / widths(def, clay, kSlices);
+}
+
+int Building::spare_rows(const BuildingDef& def, const ClayDef& clay) {
+  return static_cast<int>(std::ceil(std::max(def.tallest / clay.height, 1.0) * clay.rows));
+}
+
+bool Building::has_room(const BuildingDef& def, const Clay& clay) const noexcept {
+  return clay.rim_height() + ring_height(def, clay.def()) <= def.tallest &&
+         clay.spare_rows() >= slices_of(def, clay.def());
+}
+
+// A coil lies where the hand lays it, but always on the wall.
+double Building::centre_under(const BuildingDef& def, const Clay& clay, int sector,
+                              Vec3 at) const noexcept {
+  const auto i = static_cast<std::size_t>(sector);
+  const int top = clay.rows() - 1;
+  const double outer = double{clay.outer(top)[i]}, inner = double{clay.inner(top)[i]};
+  const double middle = 0.5 * (outer + inner);
+  const double in = std::min(middle, inner + kRests * def.coil) - kLeans * def.coil;
+  const double out = std::max(middle, outer - kRests * def.coil) + kLeans * def.coil;
+  const double half = 0.5 * std::max(def.coil, clay.def().wall_min);
+  const double wanted = std::clamp(length(Vec2{at.x, at.z}), in, out) + def.drift * def.coil;
+  const double least = clay.def().radius_min + 1.001 * half;
+  return std::clamp(wanted, least, std::max(least, clay.def().radius_max - 1.001 * half));
+}
+
+bool Building::lay(const BuildingDef& def, Clay& clay, Vec3 from, Vec3 to, double seconds,
+                   std::uint64_t step) noexcept {
+  const Overlap rim = rim_touched(clay, to, 0.5 * def.coil);
+  const bool rests = rim.depth > 0.0 && rim.out.y > kUpright;
+  if (!rests || rises()) return rests;
+  if (!laid_.any() && !has_room(def, clay)) return rests;
+  if (length(to - from) > def.pace * seconds) return rests;
+
+  const int n = clay.sectors();
+  const int first = sector_at(clay, from), last = sector_at(clay, to);
+  const int ahead = (last - first + n) % n;
+  const int way = 2 * ahead <= n ? 1 : -1;  // the short way round
+  const int passed = way > 0 ? ahead : n - ahead;
+  bool more = false;
+  for (int k = 0; k <= passed; ++k) {
+    const int sector = (first + way * k + n) % n;
+    if (laid_.centre(sector) != 0.0f) continue;
+    const double share = passed > 0 ? 1.0 * k / passed : 1.0;
+    const Vec3 there = from + share * (to - from);
+    laid_.lay(sector, static_cast<float>(centre_under(def, clay, sector, there)), step);
+    more = true;
+  }
+  if (more) clay.mark_dirty(clay.rows() - 1);  // so that undo and drawing see it
+  return rests;
+}
+
+// The slices share the coil's clay by their widths, so that the ring has all of it to a double's
+// rounding, and each gets as high as its measured area asks.
+RowAdded Building::raise(const BuildingDef& def, Clay& clay, std::uint64_t step) noexcept {
+  const int slices = slices_of(def, clay.def());
+  const int k = laid_.raised();
+  const double wide = width(def, clay.def(), k, slices);
+  const double volume = laid_.volume(section_of(def)) * wide / widths(def, clay.def(), slices);
+  const int j = clay.rows();
+  const RowAdded added{j, clay.next_spare(), volume};
+  clay.insert_row(j, false);
+  for (const bool inside : {false, true})
+    if (Displacements* moved = clay.displacements(inside); moved != nullptr)
+      std::fill_n(moved->row(added.to), clay.stride(), 0.0f);
+  const std::span<float> outer = clay.pressable_outer(j);
+  const std::span<float> inner = clay.pressable_inner(j);
+  const double half = 0.5 * wide;
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    const auto centre = double{laid_.centre(static_cast<int>(i))};
+    outer[i] = static_cast<float>(centre + half);
+    inner[i] = static_cast<float>(centre - half);
+  }
+  clay.set_extent(j, *std::ranges::max_element(outer), *std::ranges::min_element(inner));
+  clay.areas()->set(j, clay.measured_area(j));
+  clay.set_row_thickness(j, volume / clay.areas()->of(j));
+  clay.mark_dirty(j);
+  Joint& joint = joints_[static_cast<std::size_t>(added.to)];
+  joint = {};
+  joint.is = k == 0 || (k + 0.5) * ring_height(def, clay.def()) < kJoint * slices;
+  laid_.raise(k + 1 == slices, step);
+  return added;
+}
+
+void Building::run(const StageWork& work) noexcept {
+  Clay& clay = work.clay;
+  const bool inside = work.side == WallSide::inside;
+  Displacements& moved = *clay.displacements(inside);
+  for (int j = moved.first_row(); j < moved.end_row(); ++j) {
+    Joint& joint = joints_[static_cast<std::size_t>(clay.stored(j))];
+    if (!joint.is) continue;
+    const float* const row = moved.row(clay.stored(j));
+    float sum = 0.0f;
+    for (BlockRun run = moved.run_from(0); run.any(); run = moved.run_from(run.end))
+      for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock; ++i)
+        sum += row[i];
+    joint.worked[inside ? 1 : 0] += sum / static_cast<float>(clay.sectors());
+  }
+}
+
+double Building::strength(const BuildingDef& def, int stored) const noexcept {
+  const Joint& joint = joints_[static_cast<std::size_t>(stored)];
+  if (!joint.is) return 1.0;
+  double worked = 0.0;
+  for (const float face : joint.worked) worked -= 0.5 * portable::expm1(-double{face} / kWorked);
+  return def.joint + worked * def.pinched * (1.0 - def.joint);
+}
+
+// The lower half stays the joint.
+void Building::row_divided(const Clay&, const RowDivided& divided) noexcept {
+  joints_[static_cast<std::size_t>(divided.to)] = {};
+}
+
+void Building::forget(Clay& clay, const Laid& laid) noexcept {
+  laid.fresh ? laid_.clear() : laid_.go_back(laid.step);
+  for (std::size_t row = 0; row < joints_.size(); ++row)
+    if (laid.fresh || clay.place_of(static_cast<int>(row)) == RowOrder::kSpare) joints_[row] = {};
+}
+
+void Building::add_to(StateHash& hash, const Clay& clay) const {
+  laid_.add_to(hash);
+  for (int j = 0; j < clay.rows(); ++j) {
+    const Joint& joint = joints_[static_cast<std::size_t>(clay.stored(j))];
+    if (!joint.is) continue;
+    hash.add(static_cast<std::uint64_t>(j));
+    for (const float face : joint.worked) hash.add(double{face});
+  }
+}
+
+}  // namespace effects
+}  // namespace onggi

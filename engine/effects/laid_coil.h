@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/clay/clay.h"
+#include "engine/math/hash.h"
+#include "engine/math/vec.h"
+
+namespace onggi::effects {
+
+/// How deep a ball lies in a round body.
+struct Overlap {
+  double depth = 0.0;  ///< m; 0: clear.
+  Vec3 out;            ///< The way out; unit.
+};
+
+/// A ring of coil on the rim that is not closed yet. Rows have one height all round, so the laid
+/// sectors wait beside them. Keeps the order in which sectors were laid, for undo. Allocates only
+/// when made; one thread.
+class LaidCoil {
+ public:
+  /// `rings`: the most rings whose laying can be taken back.
+  LaidCoil(int sectors, int rings);
+
+  bool any() const { return count_ > 0; }
+  bool closed() const { return count_ == sectors(); }
+  int sectors() const { return static_cast<int>(centre_.size()); }
+  int count() const { return count_; }  ///< Sectors laid.
+  /// Distance of the coil's middle from the axis, m; 0 where nothing lies.
+  float centre(int sector) const { return centre_[static_cast<std::size_t>(sector)]; }
+  std::span<const float> centres() const { return centre_; }
+  /// Its clay, m^3: `section` (m^2) times the length of its middle line.
+  double volume(double section) const noexcept;
+
+  /// Lays `sector`, which was free, in step `step` (clay::History::depth()).
+  void lay(int sector, float centre, std::uint64_t step) noexcept;
+  /// A row of the closed ring became clay in `step`; `last`: the next ring begins.
+  void raise(bool last, std::uint64_t step) noexcept;
+  int raised() const { return raised_; }  ///< Rows of the closed ring that are clay.
+  /// A fresh lump: nothing is laid.
+  void clear() noexcept;
+  /// `step` and all later steps were taken back. O(sectors, and what they laid).
+  void go_back(std::uint64_t step) noexcept;
+
+  /// A ball of `radius` at `at` (clay frame, m) against the laid part: a tube of `coil` (m) whose
+  /// middle lies at `height`. The nearest place counts. O(sectors within reach).
+  Overlap touched(const Clay& clay, Vec3 at, double radius, double coil,
+                  double height) const noexcept;
+  void add_to(StateHash& hash) const;
+
+ private:
+  static constexpr std::int32_t kRow = -1, kLastRow = -2;
+  struct Event {
+    std::uint64_t step = 0;
+    std::int32_t what = 0;  // sector, kRow or kLastRow
+    float centre = 0.0f;
+  };
+  void note(const Event& event) noexcept;
+  void take(const Event& event) noexcept;
+
+  std::vector<float> centre_;  // by sector
+  std::vector<Event> events_;  // steps never fall; capacity never grows
+  std::size_t most_;
+  int count_ = 0;
+  int raised_ = 0;
+};
+
+/// A ball of `radius` at `at` (clay frame, m) against the rim: a band with edges rounded by 3 mm,
+/// or by half a thin wall. Radii between two rays are interpolated; that the rim leans along itself
+/// is left out. The wall below the band does not count.
+Overlap rim_touched(const Clay& clay, Vec3 at, double radius) noexcept;
+
+/// The sector at the angle of `at` (clay frame).
+int sector_at(const Clay& clay, Vec3 at) noexcept;
+
+}  // namespace onggi::effects

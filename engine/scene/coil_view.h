@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+namespace onggi {
+
+/// A coil that lies on the rim and is not closed to a ring yet, for drawing. Clay frame.
+struct CoilView {
+  /// Distance of the coil's middle from the axis, by sector, m; 0 where nothing lies. Empty if
+  /// nothing lies at all. Valid until the scene's next step.
+  std::span<const float> centre;
+  double diameter = 0.0;  ///< m
+  double height = 0.0;    ///< Of the coil's middle, m.
+};
+
+}  // namespace onggi
