@@ -141,10 +141,9 @@ RowAdded Building::raise(const BuildingDef& def, Clay& clay, std::uint64_t step)
   clay.areas()->set(j, clay.measured_area(j));
   clay.set_row_thickness(j, volume / clay.areas()->of(j));
   clay.mark_dirty(j);
-  Joint& joint = joints_[static_cast<std::size_t>(added.to)];
-  joint = {};
-  joint.is = k == 0 || (k + 0.5) * ring_height(def, clay.def()) < kJoint * slices;
-  laid_.raise(k + 1 == slices, step);
+  const bool joint = k == 0 || (k + 0.5) * ring_height(def, clay.def()) < kJoint * slices;
+  joints_[static_cast<std::size_t>(added.to)] = {joint, {}};
+  laid_.raise(added.to, joint, volume, k + 1 == slices, step);
   return added;
 }
 
@@ -177,10 +176,11 @@ void Building::row_divided(const Clay&, const RowDivided& divided) noexcept {
   joints_[static_cast<std::size_t>(divided.to)] = {};
 }
 
-void Building::forget(Clay& clay, const Laid& laid) noexcept {
-  laid.fresh ? laid_.clear() : laid_.go_back(laid.step);
-  for (std::size_t row = 0; row < joints_.size(); ++row)
-    if (laid.fresh || clay.place_of(static_cast<int>(row)) == RowOrder::kSpare) joints_[row] = {};
+// What was worked stays with its stored row: presses that are taken back were work all the same.
+void Building::forget(Clay&, const Laid& laid) noexcept {
+  laid.fresh ? laid_.clear(laid.step) : laid_.go_back(laid.step);
+  for (Joint& joint : joints_) joint.is = false;
+  laid_.each_joint([this](int stored) { joints_[static_cast<std::size_t>(stored)].is = true; });
 }
 
 void Building::add_to(StateHash& hash, const Clay& clay) const {

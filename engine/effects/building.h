@@ -65,7 +65,7 @@ class Building {
   /// coil's clay. The caller keeps history, tells the other stages, and restacks. O(sectors).
   RowAdded raise(const BuildingDef& def, Clay& clay, std::uint64_t step) noexcept;
 
-  /// Stage 6.7: how far this tick's moves worked the joints.
+  /// Stage 6.8: how far this tick's moves worked the joints.
   void run(const StageWork& work) noexcept;
   /// Yield strength of a stored row (Clay::stored), as a share of the wall's: 1 but near a joint.
   double strength(const BuildingDef& def, int stored) const noexcept;

@@ -52,36 +52,39 @@ void LaidCoil::note(const Event& event) noexcept {
 
 void LaidCoil::take(const Event& event) noexcept {
   if (event.what >= 0) {
-    centre_[static_cast<std::size_t>(event.what)] = event.centre;
+    centre_[static_cast<std::size_t>(event.what)] = static_cast<float>(event.amount);
     ++count_;
-  } else if (event.what == kRow) {
-    ++raised_;
-  } else {
-    std::ranges::fill(centre_, 0.0f);
-    count_ = raised_ = 0;
+    return;
   }
+  added_ = event.what == kFreshLump ? 0.0 : added_ + event.amount;
+  ++raised_;
+  if (event.what == kRow) return;
+  std::ranges::fill(centre_, 0.0f);
+  count_ = raised_ = 0;
+}
+
+// The first event after the lump was laid.
+std::size_t LaidCoil::lump() const noexcept {
+  const auto fresh = std::find_if(events_.rbegin(), events_.rend(),
+                                  [](const Event& event) { return event.what == kFreshLump; });
+  return static_cast<std::size_t>(fresh.base() - events_.begin());
 }
 
 void LaidCoil::lay(int sector, float centre, std::uint64_t step) noexcept {
-  note({step, sector, centre});
+  note({step, sector, 0, false, double{centre}});
 }
 
-void LaidCoil::raise(bool last, std::uint64_t step) noexcept {
-  note({step, last ? kLastRow : kRow, 0.0f});
+void LaidCoil::raise(int stored, bool joint, double volume, bool last,
+                     std::uint64_t step) noexcept {
+  note({step, last ? kLastRow : kRow, stored, joint, volume});
 }
 
-void LaidCoil::clear() noexcept {
-  events_.clear();
-  take({0, kLastRow, 0.0f});
-}
+void LaidCoil::clear(std::uint64_t step) noexcept { note({step, kFreshLump, 0, false, 0.0}); }
 
 void LaidCoil::go_back(std::uint64_t step) noexcept {
   while (!events_.empty() && events_.back().step >= step) events_.pop_back();
-  take({0, kLastRow, 0.0f});
-  const auto ring = std::find_if(events_.rbegin(), events_.rend(), [](const Event& event) {
-                      return event.what == kLastRow;
-                    }).base();
-  std::for_each(ring, events_.end(), [this](const Event& event) { take(event); });
+  take({0, kFreshLump, 0, false, 0.0});
+  for (std::size_t n = lump(); n < events_.size(); ++n) take(events_[n]);
 }
 
 Overlap LaidCoil::touched(const Clay& clay, Vec3 at, double radius, double coil,

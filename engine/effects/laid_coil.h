@@ -37,13 +37,22 @@ class LaidCoil {
 
   /// Lays `sector`, which was free, in step `step` (clay::History::depth()).
   void lay(int sector, float centre, std::uint64_t step) noexcept;
-  /// A row of the closed ring became clay in `step`; `last`: the next ring begins.
-  void raise(bool last, std::uint64_t step) noexcept;
+  /// A row of the closed ring, stored at `stored`, became clay in `step`, `volume` m^3 of it.
+  /// `joint`: it lies at the ring's joint. `last`: the next ring begins.
+  void raise(int stored, bool joint, double volume, bool last, std::uint64_t step) noexcept;
   int raised() const { return raised_; }  ///< Rows of the closed ring that are clay.
-  /// A fresh lump: nothing is laid.
-  void clear() noexcept;
+  /// Clay that rows brought since the lump was laid, m^3; what was taken back is left out.
+  double added() const { return added_; }
+  /// A fresh lump was laid in `step`: nothing lies on it.
+  void clear(std::uint64_t step) noexcept;
   /// `step` and all later steps were taken back. O(sectors, and what they laid).
   void go_back(std::uint64_t step) noexcept;
+  /// Calls `visit` with the stored row of every joint since the lump was laid.
+  template <class Visit>
+  void each_joint(Visit&& visit) const {
+    for (std::size_t n = lump(); n < events_.size(); ++n)
+      if (events_[n].joint) visit(events_[n].stored);
+  }
 
   /// A ball of `radius` at `at` (clay frame, m) against the laid part: a tube of `coil` (m) whose
   /// middle lies at `height`. The nearest place counts. O(sectors within reach).
@@ -52,12 +61,15 @@ class LaidCoil {
   void add_to(StateHash& hash) const;
 
  private:
-  static constexpr std::int32_t kRow = -1, kLastRow = -2;
+  static constexpr std::int32_t kRow = -1, kLastRow = -2, kFreshLump = -3;
   struct Event {
     std::uint64_t step = 0;
-    std::int32_t what = 0;  // sector, kRow or kLastRow
-    float centre = 0.0f;
+    std::int32_t what = 0;    // sector, kRow, kLastRow or kFreshLump
+    std::int32_t stored = 0;  // of a row
+    bool joint = false;       // of a row
+    double amount = 0.0;      // m: the coil's middle; or m^3: the row's clay
   };
+  std::size_t lump() const noexcept;
   void note(const Event& event) noexcept;
   void take(const Event& event) noexcept;
 
@@ -66,6 +78,7 @@ class LaidCoil {
   std::size_t most_;
   int count_ = 0;
   int raised_ = 0;
+  double added_ = 0.0;
 };
 
 /// A ball of `radius` at `at` (clay frame, m) against the rim: a band with edges rounded by 3 mm,

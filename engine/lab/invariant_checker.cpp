@@ -108,7 +108,8 @@ std::optional<Breach> InvariantChecker::look_at_feedback(const Scene& scene, dou
     double large = std::max({def.clay.radius_max, rim_, scene.clay().rim_height()});
     // Within a long tick clay may rise and sag again between two parts.
     if (def.volume && scene::parts_of(seconds_of(dt)) > 1)
-      large = std::max(large, effects::Volume::kTallest * def.clay.height);
+      large = std::max(large, def.building ? def.building->tallest
+                                           : effects::Volume::kTallest * def.clay.height);
     if (hand.depth < 0.0 || hand.depth > large + kSettled)
       return breach(Invariant::depth,
                     said("A press of %.9g m in clay of %.9g m.", hand.depth, large));
@@ -190,7 +191,7 @@ std::optional<Breach> InvariantChecker::look_at_volume(const Scene& scene, doubl
   double sum = 0.0;
   for (int j = 0; j < clay.rows(); ++j)
     sum += area_[static_cast<std::size_t>(j)] * clay.row_thickness(j);
-  const double off = sum / lump_ - 1.0;
+  const double off = sum / (lump_ + scene.coil().added) - 1.0;
   const bool good = off < kSameVolume && (cut_ || off > -kSameVolume);
   // A pressed rim gets its girth at a bounded pace. In ticks, or parts of a long tick, shorter than
   // that pace, girth is late while the rim is pressed and for one more round.

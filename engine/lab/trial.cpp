@@ -111,6 +111,17 @@ void make_nonsense(Random& random, Stroke& stroke, std::size_t tools) {
   }
 }
 
+// A coil is held over the wall and comes down, so that it meets the rim however high that is.
+void lower_coil(Random& random, const SceneDef& def, Stroke::Part& part) {
+  const double angle = random.uniform(0.0, 2.0 * portable::kPi);
+  const double out = random.uniform(def.clay.inner_radius, def.clay.outer_radius);
+  const double top = random.uniform(1.0, 1.2) * std::max(def.clay.height, def.building->tallest);
+  part.begins.position = {out * portable::cos(angle), top, out * portable::sin(angle)};
+  part.ends = part.begins.position;
+  part.ends.y = random.uniform(0.5, 1.0) * def.clay.height;
+  part.begins.active = true;
+}
+
 Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
                      const Stroke& last) {
   Stroke stroke = last;
@@ -137,6 +148,10 @@ Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
     if (begins.tool > def.tools.size()) begins.tool = 0;
     part.ends = chance(random, 0.25) ? begins.position : place(random, def.clay);
     if (chance(random, 0.3)) part.ends.y = begins.position.y;
+  }
+  for (Stroke::Part& part : stroke.hand) {
+    part.begins.coil = def.building && chance(random, 0.4);
+    if (part.begins.coil) lower_coil(random, def, part);
   }
   if (chance(random, 0.3)) {  // two hands with the wall between them
     const Vec3 middle = stroke.hand[0].begins.position;

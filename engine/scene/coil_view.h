@@ -11,6 +11,7 @@ struct CoilView {
   std::span<const float> centre;
   double diameter = 0.0;  ///< m
   double height = 0.0;    ///< Of the coil's middle, m.
+  double added = 0.0;  ///< Clay that closed rings brought to the pot since the lump was laid, m^3.
 };
 
 }  // namespace onggi

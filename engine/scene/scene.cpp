@@ -47,9 +47,12 @@ double Scene::wetness_of(int row) const {
 }
 CoilView Scene::coil() const {
   const effects::Building* building = state_->building();
-  if (building == nullptr || !building->laid().any()) return {};
+  if (building == nullptr) return {};
+  const effects::LaidCoil& laid = building->laid();
   const BuildingDef& def = *state_->def.building;
-  return {building->laid().centres(), def.coil, building->laid_height(def, state_->clay)};
+  CoilView view{{}, def.coil, building->laid_height(def, state_->clay), laid.added()};
+  if (laid.any()) view.centre = laid.centres();
+  return view;
 }
 bool Scene::laying() const { return !state_->lump.playing(); }
 bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
