@@ -5,6 +5,7 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/script/carving.h"
+#include "engine/script/coiling.h"
 #include "engine/script/demonstrations.h"
 #include "engine/script/forming.h"
 #include "engine/script/upright.h"
@@ -91,6 +92,7 @@ constexpr ScriptInfo kScripts[] = {
      {.tool = "flat_rib"},
      "smoothing",
      plays<draw_and_even>},
+    {"coil_up", "lay five rings of coil on the rim, the wheel slow", {}, "building", lay_rings},
 };
 
 constexpr auto kNames = [] {

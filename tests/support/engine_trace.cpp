@@ -37,13 +37,40 @@ std::string engine_trace(int seconds, Vectors kind) {
   return hashes.str();
 }
 
+namespace {
+
+// Two rings of coil laid on a wall between two hands, a third one begun, and the last step undone.
+std::uint64_t coils_hash(SceneDef def, Vectors kind) {
+  def.building.emplace();
+  auto scene = Scene::create(def, kind);
+  if (!scene) return 0;
+  Hands hands;
+  hands.wheel_speed = 5.0;
+  for (int n = 0; n < 4000; ++n) {
+    hands.hand[0].active = true;
+    hands.hand[0].coil = n % 1800 < 1500;
+    const double out = hands.hand[0].coil ? 0.045 : 0.058;
+    hands.hand[0].position = {out,
+                              scene->clay().rim_height() + (hands.hand[0].coil ? 0.0055 : -0.01),
+                              0.002 * portable::sin(0.01 * n)};
+    hands.hand[1] = {
+        {-0.03, scene->clay().rim_height() - 0.012, 0.0}, n % 300 > 150, SideWish::inside};
+    hands.restore = n == 3800;
+    scene->step(hands, n % 5 == 0 ? 0.0016 : 0.001);
+  }
+  return scene->state_hash();
+}
+
+}  // namespace
+
 std::string tools_trace(Vectors kind) {
   SceneDef def;
   def.clay.rows = 100;
   def.clay.sectors = 90;
   def.clay.inner_radius = 0.035;
   each_effect(def, [](auto& effect) { effect.emplace(); });
-  def.kiln.reset();  // comes when the wheel stands
+  def.kiln.reset();      // comes when the wheel stands
+  def.building.reset();  // at the end
   def.moisture->sponge_height = 0.06;
   auto scene = Scene::create(def, kind);
   if (!scene) return "";
@@ -73,6 +100,7 @@ std::string tools_trace(Vectors kind) {
     }
     hashes << shape.name << ' ' << std::hex << scene->state_hash() << '\n';
   }
+  hashes << "coils " << coils_hash(def, kind) << '\n';
   return hashes.str();
 }
 
