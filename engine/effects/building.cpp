@@ -71,8 +71,11 @@ int Building::spare_rows(const BuildingDef& def, const ClayDef& clay) {
 }
 
 bool Building::has_room(const BuildingDef& def, const Clay& clay) const noexcept {
-  return clay.rim_height() + ring_height(def, clay.def()) <= def.tallest &&
-         clay.spare_rows() >= slices_of(def, clay.def());
+  const ClayDef& lump = clay.def();
+  const double wide = 1.01 * std::max(def.coil, lump.wall_min);
+  return lump.radius_min + wide < lump.radius_max &&
+         clay.rim_height() + ring_height(def, lump) <= def.tallest &&
+         clay.spare_rows() >= slices_of(def, lump);
 }
 
 // A coil lies where the hand lays it, but always on the wall.

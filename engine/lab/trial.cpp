@@ -111,15 +111,22 @@ void make_nonsense(Random& random, Stroke& stroke, std::size_t tools) {
   }
 }
 
-// A coil is held over the wall and comes down, so that it meets the rim however high that is.
-void lower_coil(Random& random, const SceneDef& def, Stroke::Part& part) {
+// A coil comes down by twice its diameter to where the rim may be, if some rings were laid, while
+// the wheel turns some times: slowly enough, but not always.
+void lay_coil(Random& random, const SceneDef& def, Stroke& stroke, Stroke::Part& part) {
+  constexpr int kMostTicks = 1200;
+  const double coil = def.building->coil;
   const double angle = random.uniform(0.0, 2.0 * portable::kPi);
-  const double out = random.uniform(def.clay.inner_radius, def.clay.outer_radius);
-  const double top = random.uniform(1.0, 1.2) * std::max(def.clay.height, def.building->tallest);
+  const double out = random.uniform(std::max(def.clay.inner_radius, 0.005), def.clay.outer_radius);
+  const double top = def.clay.height + (0.9 * below(random, 4) + 1.5) * coil;
   part.begins.position = {out * portable::cos(angle), top, out * portable::sin(angle)};
   part.ends = part.begins.position;
-  part.ends.y = random.uniform(0.5, 1.0) * def.clay.height;
+  part.ends.y = top - 2.0 * coil;
   part.begins.active = true;
+  stroke.wheel_speed = random.uniform(0.3, 1.1) * def.building->pace / out;
+  const double seconds = 4.0 * 2.0 * portable::kPi / stroke.wheel_speed;
+  stroke.ticks =
+      static_cast<int>(std::clamp(seconds / std::max(stroke.dt, 1e-4), 1.0, 1.0 * kMostTicks));
 }
 
 Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
@@ -149,10 +156,6 @@ Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
     part.ends = chance(random, 0.25) ? begins.position : place(random, def.clay);
     if (chance(random, 0.3)) part.ends.y = begins.position.y;
   }
-  for (Stroke::Part& part : stroke.hand) {
-    part.begins.coil = def.building && chance(random, 0.4);
-    if (part.begins.coil) lower_coil(random, def, part);
-  }
   if (chance(random, 0.3)) {  // two hands with the wall between them
     const Vec3 middle = stroke.hand[0].begins.position;
     const double far = axis_distance(middle);
@@ -169,6 +172,10 @@ Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
                          : s < 0.3 ? -62.9
                          : s < 0.4 ? 0.0
                                    : random.uniform(-40.0, 40.0);
+  }
+  for (Stroke::Part& part : stroke.hand) {
+    part.begins.coil = def.building && chance(random, 0.15);
+    if (part.begins.coil) lay_coil(random, def, stroke, part);
   }
   if (chance(random, 0.1)) stroke.water = !stroke.water;
   stroke.renew = chance(random, 0.03);

@@ -185,6 +185,21 @@ TEST(Building, NoRingIsBegunThatWouldEndHigherThanAllowed) {
   EXPECT_EQ(laid_sectors(scene), 0);
 }
 
+TEST(Building, ACoilThatIsThickerThanThePotMayBeWideIsNotLaid) {
+  SceneDef def = bench();
+  def.building->coil = 0.03;
+  def.clay.outer_radius = 0.024;
+  def.clay.inner_radius = 0.008;
+  for (const double wide : {0.0258, 0.04}) {
+    def.clay.radius_max = wide;
+    Scene scene = made(def);
+    go_round(scene, 0.012);
+    wait(scene, 0.1);
+    EXPECT_EQ(scene.clay().rows() > def.clay.rows, wide == 0.04);
+    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay()));
+  }
+}
+
 TEST(Building, UndoTakesCoilsBackAsTheyWereLaid) {
   const SceneDef def = bench();
   Scene scene = made(def);

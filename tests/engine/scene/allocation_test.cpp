@@ -118,12 +118,12 @@ TEST(Scene, AnEffectThatIsAbsentAllocatesNotAByteAndOneThatIsPresentAFewARow) {
     effect.add(def);
     const long elements = def.clay.rows * def.clay.sectors;
     const bool by_elements = def.propagation || def.springback || def.smoothing;
-    // A pot that is built has rows for its tallest height, and what its rings need to be taken back.
+    // A pot that is built has rows for its tallest height, and what its rings need to be taken
+    // back.
     const double rows = def.building ? 1.0 + def.building->tallest / def.clay.height : 0.0;
     const long coils = static_cast<long>(24.0 * rows * static_cast<double>(elements));
     const long each = (by_elements ? 17 : 0) + (def.volume ? 9 : 0);  // as many rows again to spare
-    EXPECT_LT(bytes_of(def) - base, each * elements + coils + 200 * def.clay.rows)
-        << effect.name;
+    EXPECT_LT(bytes_of(def) - base, each * elements + coils + 200 * def.clay.rows) << effect.name;
   }
 }
 

@@ -63,6 +63,37 @@ TEST(HardScenes, EveryTwoEffects) {
       expect_stable(anything(with_effects({a, b}), 100 * a + b, 2000));
 }
 
+// On the thinnest disc and on a wall, by the thinnest coils and the thickest.
+TEST(HardScenes, WhateverIsBuiltOfCoils) {
+  std::uint64_t seed = 40;
+  for (const double coil : {0.008, 0.03})
+    for (const bool disc : {true, false}) {
+      SceneDef def = everything(small(40, 32));
+      def.building->coil = coil;
+      def.building->pace = 5.0;
+      if (disc) {
+        def.clay.rows = 16;
+        def.clay.height = def.clay.floor_thickness = 0.010;
+      }
+      Trial trial = anything(def, ++seed, 15000);
+      Stroke ring =
+          held({def.clay.outer_radius - 0.5 * coil, def.clay.height + 0.4 * coil, 0.0}, 1000, 10.0);
+      ring.hand[0].begins.coil = true;
+      trial.strokes.insert(trial.strokes.begin(), 2, ring);
+      trial.strokes[1].hand[0].begins.position.y += 0.88 * coil;
+      trial.strokes[1].hand[0].ends.y += 0.88 * coil;
+      expect_stable(trial);
+      double most = 0.0;
+      Scene scene = std::move(*Scene::create(def));
+      trial.play([&](const TickRecord& record) {
+        scene.step(record.hands, record.dt);
+        most = std::max(most, scene.coil().added);
+        return true;
+      });
+      EXPECT_GT(most, 0.0) << "no ring was ever closed: coil " << coil;
+    }
+}
+
 TEST(HardScenes, AllEffectsTogether) {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u})
     expect_stable(anything(everything(small(48, 40)), seed, 8000));
