@@ -54,5 +54,24 @@ TEST(FeltCoil, AHandWithoutACoilFeelsTheOneThatLiesAndOnlyThere) {
   EXPECT_LT(most, 0.15);
 }
 
+// Sixteen sectors are 14 mm apart, more than the coil is thick.
+TEST(FeltCoil, BetweenTwoRaysACoilIsAsHighAsOnThem) {
+  const SceneDef def = bench(12, 16);
+  Scene scene = made(def);
+  go_round(scene, 0.035, 0.6);
+  const double step = 2.0 * portable::kPi / 16;
+  const auto felt = [&](double angle) {
+    Hands hands;
+    hands.hand[0] = {{0.0345 * portable::cos(angle), 0.030, 0.0345 * portable::sin(angle)}, true};
+    Feedback back;
+    for (int n = 0; n < 800; ++n) back = scene.step(hands, 0.001);
+    wait(scene, 0.1);
+    return back.hand[0].force.y;
+  };
+  const double on = felt(4.5 * step), between = felt(5.0 * step);
+  EXPECT_GT(on, 0.08);
+  EXPECT_NEAR(between, on, 0.2 * on);
+}
+
 }  // namespace
 }  // namespace onggi::effects
