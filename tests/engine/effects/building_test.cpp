@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/effects/tearing.h"
+#include "engine/effects/volume.h"
 #include "engine/scene/replay.h"
 #include "tests/engine/effects/building_hands.h"
 #include "tests/support/clay_shape.h"
@@ -336,11 +337,13 @@ TEST(Building, AWallYieldsAtItsJointsFirst) {
 // A disc with one ring of coil, all rows of which have come, and its lowest row.
 struct Ringed {
   SceneDef def = bench(20);
-  Clay clay = std::move(*Clay::create(def.clay, best_vectors(), 100));
+  Clay clay = std::move(*Clay::create(def.clay));
   std::optional<Building> building;
   RowAdded lowest;
 
   Ringed() {
+    def.clay.inner_radius = 0.04;  // of the lump's walls, which a disc has none of
+    clay = std::move(*Clay::create(def.clay, best_vectors(), 100));
     clay.keep_areas();
     clay.keep_displacements();
     building.emplace(clay);
@@ -401,6 +404,30 @@ TEST(Building, APinchedJointHoldsWhereOneThatWasOnlyLaidTears) {
   // The squeezed foot of the ring is 8.5 mm thick; at 0.3 of the strength it counts as 2.5 mm.
   EXPECT_TRUE(tears(false, 1.0f, 0.0035));
   EXPECT_FALSE(tears(true, 1.0f, 0.0035));
+}
+
+TEST(Building, AWallOfCoilsThatIsPinchedGetsHigherAsAThrownOneDoes) {
+  const SceneDef def = bench(20);
+  Scene scene = made(def);
+  for (int k = 0; k < 4; ++k) {
+    go_round(scene, 0.035);
+    wait(scene, 0.1);
+  }
+  const double before = scene.clay().rim_height(), clay = scene.clay().volume();
+  ASSERT_GT(before, Volume::kTallest * def.clay.height) << "higher than a lump may be thrown";
+  Hands hands;
+  const double finger = def.tool.radius;
+  for (int n = 0; n < 4000; ++n) {
+    const double angle = 0.0032 * n;
+    const auto at = [&](double radius) {
+      return Vec3{radius * portable::cos(angle), 0.03, radius * portable::sin(angle)};
+    };
+    hands.hand[0] = {at(0.0415 + finger - 0.002), true, SideWish::outside};
+    hands.hand[1] = {at(0.0285 - finger + 0.002), true, SideWish::inside};
+    scene.step(hands, 0.001);
+  }
+  EXPECT_GT(scene.clay().rim_height(), before + 0.0005);
+  EXPECT_NEAR(scene.clay().volume() / clay, 1.0, 1e-7);
 }
 
 TEST(Building, RandomBuildersBreakNoLimit) {
