@@ -234,6 +234,37 @@ void slump() {
   }
 }
 
+// Five rings of coil on a disc, then pinched between two fingers that go up round by round.
+void building() {
+  SceneDef def = bare();
+  def.clay.rows = 20;
+  def.clay.height = def.clay.floor_thickness = 0.010;
+  def.volume.emplace();
+  def.building.emplace();
+  Scene scene = made(def);
+  const auto script = std::move(*make_script("coil_up", {.scene = def}));
+  run(scene, script->duration(), [&](double t) { return script->at(t, scene.clay()); });
+  const auto both_faces = [&](const char* series) {
+    const Clay& clay = scene.clay();
+    for (int j = clay.floor_rows(); j < clay.rows(); ++j)
+      point("building", series, 1e3 * double{clay.outer(j)[0]}, 1e3 * clay.row_height(j));
+    for (int j = clay.rows() - 1; j >= clay.floor_rows(); --j)
+      point("building", series, 1e3 * double{clay.inner(j)[0]}, 1e3 * clay.row_height(j));
+  };
+  both_faces("laid");
+  const double middle = 0.0487, finger = def.tool.radius, gap = 0.0095;
+  run(scene, 30.0, [&](double t) {
+    Hands hands;
+    hands.wheel_speed = 12.0;
+    const double height = 0.02 + (scene.clay().rim_height() - 0.022) * t / 30.0;
+    const double lean = 0.04 * (height - 0.01);
+    hands.hand[0] = {{middle + lean + 0.5 * gap + finger, height, 0}, true, SideWish::outside};
+    hands.hand[1] = {{middle + lean - 0.5 * gap - finger, height, 0}, true, SideWish::inside};
+    return hands;
+  });
+  both_faces("pinched");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -255,5 +286,6 @@ int main(int argc, char** argv) {
   slump();
   tearing();
   kiln();
+  building();
   return std::fclose(out) == 0 ? 0 : 1;
 }

@@ -1,7 +1,7 @@
 # What each effect does: gnuplot -c effects.gp STYLE effects.csv OUT.svg
 load ARG1
 data = ARG2
-eval svg(1150, 620)
+eval svg(1380, 620)
 set output ARG3
 of(effect, series, value) = strcol("effect") eq effect && strcol("series") eq series ? value : NaN
 clay = "#A8643C"
@@ -12,8 +12,8 @@ set xlabel offset 0,0.5 font "sans-serif,12" textcolor rgb ink
 set tics font "sans-serif,11"
 
 set multiplot
-left(n) = 0.045 + 0.197 * n
-place = "set lmargin at screen left(%d); set rmargin at screen left(%d) + 0.145; set tmargin at screen %.3f; set bmargin at screen %.3f"
+left(n) = 0.038 + 0.164 * n
+place = "set lmargin at screen left(%d); set rmargin at screen left(%d) + 0.121; set tmargin at screen %.3f; set bmargin at screen %.3f"
 panel(n, low, words) = sprintf(place, n, n, low ? 0.40 : 0.90, low ? 0.10 : 0.60) . sprintf("; set title '%s' font 'sans-serif,13' textcolor rgb ink offset 0,-0.5", words)
 
 eval panel(0, 0, "friction, N")
@@ -97,4 +97,11 @@ set yrange [80:104]
 plot data using (of("kiln", "earthenware", column("x"))):"y" with lines title "earthenware" linecolor rgb clay linewidth 2, \
      data using (of("kiln", "stoneware", column("x"))):"y" with lines title "stoneware" linecolor rgb published linewidth 2, \
      data using (of("kiln", "porcelain", column("x"))):"y" with lines title "porcelain" linecolor rgb water linewidth 2
+eval panel(5, 0, "building, five coils")
+set xlabel "mm"
+set xrange [40:60]
+set xtics 10
+set yrange [0:110]
+plot data using (of("building", "laid", column("x"))):"y" with lines title "laid" linecolor rgb published linewidth 2, \
+     data using (of("building", "pinched", column("x"))):"y" with lines title "pinched" linecolor rgb clay linewidth 2
 unset multiplot

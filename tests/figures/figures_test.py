@@ -187,6 +187,9 @@ class Effects(unittest.TestCase):
         self.assertAlmostEqual(last("slump", "45 cm"), 45.0, delta=0.01)
         self.assertLess(last("slump", "60 cm"), 59.5)
         self.assertLess(last("slump", "25 cm"), 22.0)
+        laid, pinched = (max(y for _, y in self.of["building", s]) for s in ("laid", "pinched"))
+        self.assertAlmostEqual(laid, 10 + 5 * 0.89 * 13, delta=2)
+        self.assertGreater(pinched, laid + 5)
         self.assertLess(last("springback", "40 %"), last("springback", "15 %"))
         self.assertLess(last("springback", "15 %"), last("springback", "0 %"))
 
