@@ -12,7 +12,7 @@
 #include "tests/engine/effects/building_hands.h"
 #include "tests/support/clay_shape.h"
 
-namespace onggi::effects {
+namespace onggi::effects::building_test {
 namespace {
 
 using namespace effects_test;
@@ -469,4 +469,4 @@ TEST(Building, RandomBuildersBreakNoLimit) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::building_test

@@ -6,7 +6,7 @@
 
 #include "tests/engine/effects/building_hands.h"
 
-namespace onggi::effects {
+namespace onggi::effects::felt_coil_test {
 namespace {
 
 using namespace effects_test;
@@ -74,4 +74,4 @@ TEST(FeltCoil, BetweenTwoRaysACoilIsAsHighAsOnThem) {
 }
 
 }  // namespace
-}  // namespace onggi::effects
+}  // namespace onggi::effects::felt_coil_test
