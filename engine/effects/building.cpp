@@ -25,7 +25,6 @@ std::span<const DefField<BuildingDef>> BuildingDef::fields() {
 namespace effects {
 namespace {
 
-constexpr int kRings = 64;          // whose laying can be taken back
 constexpr double kCut = 0.8;        // share of the coil's radius left above and below its
                                     // middle, where it is pressed on the ring below
 constexpr double kLeans = 0.2;      // coils: the farthest that a hand lays beside the wall
@@ -33,7 +32,6 @@ constexpr double kRests = 0.25;     // coils: the least that lies on the wall
 constexpr double kUpright = 0.3;    // of `out`: the coil lies on the rim, not beside it
 constexpr double kJoint = 0.002;    // m: height of the weak band above a joint. An estimate
 constexpr double kWorked = 0.0005;  // m: moves that leave 1/e of a joint as it was. An estimate
-constexpr double kThickest = 0.9 * Volume::kThickest;  // times a fresh lump's rows
 
 double section_of(const BuildingDef& def) { return 0.25 * portable::kPi * def.coil * def.coil; }
 
@@ -56,8 +54,17 @@ int slices_of(const BuildingDef& def, const ClayDef& clay) {
 
 }  // namespace
 
-Building::Building(const Clay& clay)
-    : laid_(clay.sectors(), kRings), joints_(static_cast<std::size_t>(clay.room())) {}
+// As many rings as there may be rows for, and as many again, pressed down between.
+Building::Building(const BuildingDef& def, const Clay& clay)
+    : laid_(clay.sectors(),
+            2 * static_cast<std::size_t>(clay.room() / slices_of(def, clay.def()) + 1) *
+                static_cast<std::size_t>(clay.sectors() + slices_of(def, clay.def()))),
+      rings_(static_cast<std::size_t>(clay.room())),
+      slices_(slices_of(def, clay.def())),
+      height_(ring_height(def, clay.def())),
+      widths_(widths(def, clay.def(), slices_)) {}
+
+Building Building::make(const Effects& def, Clay& clay) { return {*def.building, clay}; }
 
 bool Building::wanted(const Effects& def) { return def.building.has_value(); }
 
@@ -73,9 +80,9 @@ int Building::spare_rows(const BuildingDef& def, const ClayDef& clay) {
 bool Building::has_room(const BuildingDef& def, const Clay& clay) const noexcept {
   const ClayDef& lump = clay.def();
   const double wide = 1.01 * std::max(def.coil, lump.wall_min);
-  return lump.radius_min + wide < lump.radius_max &&
-         clay.rim_height() + ring_height(def, lump) <= def.tallest &&
-         clay.spare_rows() >= slices_of(def, lump);
+  return lump.radius_min + wide < lump.radius_max && clay.rim_height() + height_ <= def.tallest &&
+         clay.spare_rows() >= slices_ &&
+         !laid_.full(static_cast<std::size_t>(clay.sectors() + slices_));
 }
 
 // A coil lies where the hand lays it, but always on the wall.
@@ -96,23 +103,26 @@ double Building::centre_under(const BuildingDef& def, const Clay& clay, int sect
 bool Building::lay(const BuildingDef& def, Clay& clay, Vec3 from, Vec3 to, double seconds,
                    std::uint64_t step) noexcept {
   const Overlap rim = rim_touched(clay, to, 0.5 * def.coil);
-  const bool rests = rim.depth > 0.0 && rim.out.y > kUpright;
+  const bool rests = rim.depth > 0.0 && rim.out.y > kUpright && to.y > clay.rim_height();
   if (!rests || rises()) return rests;
   if (!laid_.any() && !has_room(def, clay)) return rests;
-  if (length(to - from) > def.pace * seconds) return rests;
 
   const int n = clay.sectors();
   const int first = sector_at(clay, from), last = sector_at(clay, to);
   const int ahead = (last - first + n) % n;
   const int way = 2 * ahead <= n ? 1 : -1;  // the short way round
   const int passed = way > 0 ? ahead : n - ahead;
+  // Near the axis a hand passes many sectors in no time. The coil does not.
+  const double sector = 2.0 * portable::kPi / n * centre_under(def, clay, last, to);
+  const double gone = std::max(length(to - from), (passed - 1) * sector);
+  if (gone > def.pace * seconds) return rests;
   bool more = false;
   for (int k = 0; k <= passed; ++k) {
-    const int sector = (first + way * k + n) % n;
-    if (laid_.centre(sector) != 0.0f) continue;
+    const int here = (first + way * k + n) % n;
+    if (laid_.centre(here) != 0.0f) continue;
     const double share = passed > 0 ? 1.0 * k / passed : 1.0;
     const Vec3 there = from + share * (to - from);
-    laid_.lay(sector, static_cast<float>(centre_under(def, clay, sector, there)), step);
+    laid_.lay(here, static_cast<float>(centre_under(def, clay, here, there)), step);
     more = true;
   }
   if (more) clay.mark_dirty(clay.rows() - 1);  // so that undo and drawing see it
@@ -122,10 +132,9 @@ bool Building::lay(const BuildingDef& def, Clay& clay, Vec3 from, Vec3 to, doubl
 // The slices share the coil's clay by their widths, so that the ring has all of it to a double's
 // rounding, and each gets as high as its measured area asks.
 RowAdded Building::raise(const BuildingDef& def, Clay& clay, std::uint64_t step) noexcept {
-  const int slices = slices_of(def, clay.def());
   const int k = laid_.raised();
-  const double wide = width(def, clay.def(), k, slices);
-  const double volume = laid_.volume(section_of(def)) * wide / widths(def, clay.def(), slices);
+  const double wide = width(def, clay.def(), k, slices_);
+  const double volume = laid_.volume(section_of(def)) * wide / widths_;
   const int j = clay.rows();
   const RowAdded added{j, clay.next_spare(), volume};
   clay.insert_row(j, false);
@@ -135,18 +144,21 @@ RowAdded Building::raise(const BuildingDef& def, Clay& clay, std::uint64_t step)
   const std::span<float> outer = clay.pressable_outer(j);
   const std::span<float> inner = clay.pressable_inner(j);
   const double half = 0.5 * wide;
+  double squares = 0.0;
   for (std::size_t i = 0; i < outer.size(); ++i) {
     const auto centre = double{laid_.centre(static_cast<int>(i))};
     outer[i] = static_cast<float>(centre + half);
     inner[i] = static_cast<float>(centre - half);
+    squares += 2.0 * (centre * centre + half * half);
   }
   clay.set_extent(j, *std::ranges::max_element(outer), *std::ranges::min_element(inner));
   clay.areas()->set(j, clay.measured_area(j));
   clay.set_row_thickness(j, volume / clay.areas()->of(j));
   clay.mark_dirty(j);
-  const bool joint = k == 0 || (k + 0.5) * ring_height(def, clay.def()) < kJoint * slices;
-  joints_[static_cast<std::size_t>(added.to)] = {joint, {}};
-  laid_.raise(added.to, joint, volume, k + 1 == slices, step);
+  const bool joint = k == 0 || (k + 0.5) * height_ < kJoint * slices_;
+  const double square = squares / clay.sectors();
+  rings_[static_cast<std::size_t>(added.to)] = {joint, square, {}};
+  laid_.raise({added.to, joint, volume, square}, k + 1 == slices_, step);
   return added;
 }
 
@@ -155,44 +167,54 @@ void Building::run(const StageWork& work) noexcept {
   const bool inside = work.side == WallSide::inside;
   Displacements& moved = *clay.displacements(inside);
   for (int j = moved.first_row(); j < moved.end_row(); ++j) {
-    Joint& joint = joints_[static_cast<std::size_t>(clay.stored(j))];
-    if (!joint.is) continue;
+    Ring& ring = rings_[static_cast<std::size_t>(clay.stored(j))];
+    if (!ring.joint) continue;
     const float* const row = moved.row(clay.stored(j));
     float sum = 0.0f;
     for (BlockRun run = moved.run_from(0); run.any(); run = moved.run_from(run.end))
       for (int i = run.begin * Displacements::kBlock; i < run.end * Displacements::kBlock; ++i)
         sum += row[i];
-    joint.worked[inside ? 1 : 0] += sum / static_cast<float>(clay.sectors());
+    ring.worked[inside ? 1 : 0] += sum / static_cast<float>(clay.sectors());
   }
 }
 
 double Building::strength(const BuildingDef& def, int stored) const noexcept {
-  const Joint& joint = joints_[static_cast<std::size_t>(stored)];
-  if (!joint.is) return 1.0;
+  if (!of(stored).joint) return 1.0;
   double worked = 0.0;
-  for (const float face : joint.worked) worked -= 0.5 * portable::expm1(-double{face} / kWorked);
+  for (const float face : of(stored).worked)
+    worked -= 0.5 * portable::expm1(-double{face} / kWorked);
   return def.joint + worked * def.pinched * (1.0 - def.joint);
 }
 
 // The lower half stays the joint.
 void Building::row_divided(const Clay&, const RowDivided& divided) noexcept {
-  joints_[static_cast<std::size_t>(divided.to)] = {};
+  rings_[static_cast<std::size_t>(divided.to)] = {false, of(divided.from).square, {}};
 }
 
-// What was worked stays with its stored row: presses that are taken back were work all the same.
-void Building::forget(Clay&, const Laid& laid) noexcept {
-  laid.fresh ? laid_.clear(laid.step) : laid_.go_back(laid.step);
-  for (Joint& joint : joints_) joint.is = false;
-  laid_.each_joint([this](int stored) { joints_[static_cast<std::size_t>(stored)].is = true; });
+// Work that is taken back stays with its stored row, until another ring takes that row.
+void Building::forget(Clay& clay, const Laid& laid) noexcept {
+  if (laid.fresh) {
+    laid_.clear(laid.step);
+    for (const int row : clay.stored()) rings_[static_cast<std::size_t>(row)] = {};
+    return;
+  }
+  laid_.go_back(laid.step);
+  for (int row = 0; row < clay.room(); ++row)
+    if (clay.place_of(row) == RowOrder::kSpare) rings_[static_cast<std::size_t>(row)] = {};
+  laid_.each_row([this](const LaidCoil::Row& row) {
+    Ring& ring = rings_[static_cast<std::size_t>(row.stored)];
+    ring.joint = row.joint;
+    ring.square = row.square;
+  });
 }
 
 void Building::add_to(StateHash& hash, const Clay& clay) const {
   laid_.add_to(hash);
   for (int j = 0; j < clay.rows(); ++j) {
-    const Joint& joint = joints_[static_cast<std::size_t>(clay.stored(j))];
-    if (!joint.is) continue;
+    const Ring& ring = of(clay.stored(j));
+    if (!ring.joint) continue;
     hash.add(static_cast<std::uint64_t>(j));
-    for (const float face : joint.worked) hash.add(double{face});
+    for (const float face : ring.worked) hash.add(double{face});
   }
 }
 

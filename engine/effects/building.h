@@ -25,7 +25,8 @@ struct BuildingDef {
   double drift = 0.05;  ///< 0..0.25: by so many coils a ring comes to lie farther out than the hand
                         ///< lays it, as straight coils do.
   double joint = 0.3;   ///< 0.05..1: strength of a joint as laid, as a share of the wall's.
-  double pinched = 0.8;  ///< 0..1: share of what a joint lacks that work on both sides gives it.
+  double pinched = 0.8;  ///< 0..1: 0: pinching does not help; 1: a well pinched joint is as strong
+                         ///< as the wall.
   double wetness = 0.1;  ///< Of the coil, 0..1 (MoistureDef). Wet coils slump.
 
   static constexpr const char* kName = "building";
@@ -37,11 +38,11 @@ namespace effects {
 /// Lays coils, and keeps how well each joint was worked. Allocates only when made; one thread.
 class Building {
  public:
-  explicit Building(const Clay& clay);
+  Building(const BuildingDef& def, const Clay& clay);
 
   static constexpr bool kAsksMoves = true;
   static bool wanted(const Effects& def);
-  static Building make(const Effects&, Clay& clay) { return Building(clay); }
+  static Building make(const Effects& def, Clay& clay);
   /// Rows that a scene keeps for it, in addition to the lump's.
   static int spare_rows(const BuildingDef& def, const ClayDef& clay);
   /// Height of a ring in its rows, m: its section, flattened where it meets others.
@@ -49,8 +50,9 @@ class Building {
 
   /// A hand with a coil goes from `from` to `to` in `seconds` (> 0): its coil's middle, clay frame,
   /// m. Where the coil rests on the rim, it is laid on every sector passed that is still free.
-  /// `step`: clay::History::depth(). Returns whether the coil rests on the rim. A ring that has no
-  /// room left below BuildingDef::tallest is not begun. O(sectors passed).
+  /// `step`: clay::History::depth(). Returns whether the coil rests on the rim. A ring for which
+  /// there is no room is not begun: below BuildingDef::tallest, in the rows, within radius_max.
+  /// O(sectors passed).
   bool lay(const BuildingDef& def, Clay& clay, Vec3 from, Vec3 to, double seconds,
            std::uint64_t step) noexcept;
   const LaidCoil& laid() const { return laid_; }
@@ -61,6 +63,8 @@ class Building {
 
   /// A closed ring waits to become rows.
   bool rises() const { return laid_.closed(); }
+  /// Spare rows that the ring under way will take.
+  int rows_kept() const { return laid_.any() ? slices_ - laid_.raised() : 0; }
   /// Adds the ring's next row at the top: a slice of the coil's section, with its share of the
   /// coil's clay. The caller keeps history, tells the other stages, and restacks. O(sectors).
   RowAdded raise(const BuildingDef& def, Clay& clay, std::uint64_t step) noexcept;
@@ -70,7 +74,9 @@ class Building {
   /// Yield strength of a stored row (Clay::stored), as a share of the wall's: 1 but near a joint.
   double strength(const BuildingDef& def, int stored) const noexcept;
   /// A joint keeps its row.
-  bool loaded(int stored) const { return joints_[static_cast<std::size_t>(stored)].is; }
+  bool loaded(int stored) const { return of(stored).joint; }
+  /// Mean of outer^2 + inner^2 of a stored row as it was laid, m^2; 0 if it is of the lump.
+  double laid_square(int stored) const { return of(stored).square; }
 
   void row_added(const Clay&, const RowAdded&) noexcept {}
   void row_divided(const Clay&, const RowDivided& divided) noexcept;
@@ -79,15 +85,20 @@ class Building {
   void add_to(StateHash& hash, const Clay& clay) const;
 
  private:
-  struct Joint {
-    bool is = false;
+  struct Ring {  // by stored row; of the lump: nothing
+    bool joint = false;
+    double square = 0.0;            // m^2, as laid
     std::array<float, 2> worked{};  // m, mean over the ring: outside, inside
   };
+  const Ring& of(int stored) const { return rings_[static_cast<std::size_t>(stored)]; }
   bool has_room(const BuildingDef& def, const Clay& clay) const noexcept;
   double centre_under(const BuildingDef& def, const Clay& clay, int sector, Vec3 at) const noexcept;
 
   LaidCoil laid_;
-  std::vector<Joint> joints_;  // by stored row
+  std::vector<Ring> rings_;
+  int slices_;     // rows of a ring
+  double height_;  // m, of a ring
+  double widths_;  // m, of its rows together
 };
 
 }  // namespace effects

@@ -28,10 +28,9 @@ Overlap from_middle(Vec3 from, double radius, double section) {
 
 }  // namespace
 
-LaidCoil::LaidCoil(int sectors, int rings)
-    : centre_(static_cast<std::size_t>(sectors)),
-      most_(static_cast<std::size_t>(rings) * (static_cast<std::size_t>(sectors) + 1)) {
-  events_.reserve(most_);
+LaidCoil::LaidCoil(int sectors, std::size_t most)
+    : centre_(static_cast<std::size_t>(sectors)), most_(most) {
+  events_.reserve(2 * most + 2);
 }
 
 double LaidCoil::volume(double section) const noexcept {
@@ -40,23 +39,18 @@ double LaidCoil::volume(double section) const noexcept {
   return section * kTurn / sectors() * centres;
 }
 
-// The oldest are forgotten first: nobody can take them back by then.
 void LaidCoil::note(const Event& event) noexcept {
-  if (events_.size() == most_)
-    events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(most_ / 4));
   events_.push_back(event);
-  if (events_.size() > 1)
-    events_.back().step = std::max(events_.back().step, events_[events_.size() - 2].step);
   take(event);
 }
 
 void LaidCoil::take(const Event& event) noexcept {
   if (event.what >= 0) {
-    centre_[static_cast<std::size_t>(event.what)] = static_cast<float>(event.amount);
+    centre_[static_cast<std::size_t>(event.what)] = event.centre;
     ++count_;
     return;
   }
-  added_ = event.what == kFreshLump ? 0.0 : added_ + event.amount;
+  added_ = event.what == kFreshLump ? 0.0 : added_ + event.row.volume;
   ++raised_;
   if (event.what == kRow) return;
   std::ranges::fill(centre_, 0.0f);
@@ -71,19 +65,22 @@ std::size_t LaidCoil::lump() const noexcept {
 }
 
 void LaidCoil::lay(int sector, float centre, std::uint64_t step) noexcept {
-  note({step, sector, 0, false, double{centre}});
+  note({step, sector, centre, {}});
 }
 
-void LaidCoil::raise(int stored, bool joint, double volume, bool last,
-                     std::uint64_t step) noexcept {
-  note({step, last ? kLastRow : kRow, stored, joint, volume});
+void LaidCoil::raise(const Row& row, bool last, std::uint64_t step) noexcept {
+  note({step, last ? kLastRow : kRow, 0.0f, row});
 }
 
-void LaidCoil::clear(std::uint64_t step) noexcept { note({step, kFreshLump, 0, false, 0.0}); }
+// Undo brings back at most the lump before this one.
+void LaidCoil::clear(std::uint64_t step) noexcept {
+  events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(lump()));
+  note({step, kFreshLump, 0.0f, {}});
+}
 
 void LaidCoil::go_back(std::uint64_t step) noexcept {
   while (!events_.empty() && events_.back().step >= step) events_.pop_back();
-  take({0, kFreshLump, 0, false, 0.0});
+  take({0, kFreshLump, 0.0f, {}});
   for (std::size_t n = lump(); n < events_.size(); ++n) take(events_[n]);
 }
 
@@ -136,8 +133,8 @@ Overlap rim_touched(const Clay& clay, Vec3 at, double radius) noexcept {
   const double outer = between(clay.outer(top)), inner = between(clay.inner(top));
   const double section = std::min(kEdge, 0.5 * (outer - inner));
   const double out = length(Vec2{at.x, at.z});
-  const double nearest = std::clamp(out, inner + section, outer - section);
-  const double up = at.y - (clay.rim_height() - section);
+  const double nearest = std::max(std::min(out, outer - section), inner + section);
+  const double up = std::max(at.y - (clay.rim_height() - section), 0.0);
   const Overlap flat = from_middle({out - nearest, up, 0.0}, radius, section);
   if (!(flat.depth > 0.0)) return {};
   const double x = out > kLeast ? at.x / out : 1.0, z = out > kLeast ? at.z / out : 0.0;

@@ -22,8 +22,8 @@ struct Overlap {
 /// when made; one thread.
 class LaidCoil {
  public:
-  /// `rings`: the most rings whose laying can be taken back.
-  LaidCoil(int sectors, int rings);
+  /// `most`: sectors and rows of one lump's coils, at most.
+  LaidCoil(int sectors, std::size_t most);
 
   bool any() const { return count_ > 0; }
   bool closed() const { return count_ == sectors(); }
@@ -37,9 +37,17 @@ class LaidCoil {
 
   /// Lays `sector`, which was free, in step `step` (clay::History::depth()).
   void lay(int sector, float centre, std::uint64_t step) noexcept;
-  /// A row of the closed ring, stored at `stored`, became clay in `step`, `volume` m^3 of it.
-  /// `joint`: it lies at the ring's joint. `last`: the next ring begins.
-  void raise(int stored, bool joint, double volume, bool last, std::uint64_t step) noexcept;
+  /// A row that a ring of coil became.
+  struct Row {
+    int stored = 0;
+    bool joint = false;   ///< It lies at the ring's joint.
+    double volume = 0.0;  ///< m^3
+    double square = 0.0;  ///< Mean of outer^2 + inner^2 as laid, m^2.
+  };
+  /// `row` of the closed ring became clay in `step`. `last`: the next ring begins.
+  void raise(const Row& row, bool last, std::uint64_t step) noexcept;
+  /// No room is left for what `more` sectors and rows need to be taken back.
+  bool full(std::size_t more) const { return events_.size() - lump() + more > most_; }
   int raised() const { return raised_; }  ///< Rows of the closed ring that are clay.
   /// Clay that rows brought since the lump was laid, m^3; what was taken back is left out.
   double added() const { return added_; }
@@ -47,11 +55,11 @@ class LaidCoil {
   void clear(std::uint64_t step) noexcept;
   /// `step` and all later steps were taken back. O(sectors, and what they laid).
   void go_back(std::uint64_t step) noexcept;
-  /// Calls `visit` with the stored row of every joint since the lump was laid.
+  /// Calls `visit` with each Row since the lump was laid.
   template <class Visit>
-  void each_joint(Visit&& visit) const {
+  void each_row(Visit&& visit) const {
     for (std::size_t n = lump(); n < events_.size(); ++n)
-      if (events_[n].joint) visit(events_[n].stored);
+      if (events_[n].what < 0) visit(events_[n].row);
   }
 
   /// A ball of `radius` at `at` (clay frame, m) against the laid part: a tube of `coil` (m) whose
@@ -64,26 +72,25 @@ class LaidCoil {
   static constexpr std::int32_t kRow = -1, kLastRow = -2, kFreshLump = -3;
   struct Event {
     std::uint64_t step = 0;
-    std::int32_t what = 0;    // sector, kRow, kLastRow or kFreshLump
-    std::int32_t stored = 0;  // of a row
-    bool joint = false;       // of a row
-    double amount = 0.0;      // m: the coil's middle; or m^3: the row's clay
+    std::int32_t what = 0;  // sector, kRow, kLastRow or kFreshLump
+    float centre = 0.0f;    // of a sector
+    Row row;
   };
   std::size_t lump() const noexcept;
   void note(const Event& event) noexcept;
   void take(const Event& event) noexcept;
 
   std::vector<float> centre_;  // by sector
-  std::vector<Event> events_;  // steps never fall; capacity never grows
+  std::vector<Event> events_;  // of this lump and the one before; capacity never grows
   std::size_t most_;
   int count_ = 0;
   int raised_ = 0;
   double added_ = 0.0;
 };
 
-/// A ball of `radius` at `at` (clay frame, m) against the rim: a band with edges rounded by 3 mm,
-/// or by half a thin wall. Radii between two rays are interpolated; that the rim leans along itself
-/// is left out. The wall below the band does not count.
+/// A ball of `radius` at `at` (clay frame, m) against the wall of the top row: upright, its edges
+/// rounded by 3 mm or by half a thin wall. Never down. Radii between two rays are interpolated;
+/// that the rim leans along itself is left out.
 Overlap rim_touched(const Clay& clay, Vec3 at, double radius) noexcept;
 
 /// The sector at the angle of `at` (clay frame).

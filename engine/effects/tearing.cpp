@@ -19,7 +19,6 @@ Tearing::Tearing(Clay& clay)
                      clay.def().inner_radius * clay.def().inner_radius),
       solid_square_(clay.def().outer_radius * clay.def().outer_radius),
       solid_rows_(clay.floor_rows()),
-      added_square_(static_cast<std::size_t>(clay.room())),
       lump_(static_cast<std::size_t>(clay.room()) + 1) {
   events_.reserve(kLumps * lump_);
   clay.areas()->keep_torn();
@@ -27,11 +26,6 @@ Tearing::Tearing(Clay& clay)
 
 // A ring's girth is that of the circle that halves its clay: radius^2 = (outer^2 + inner^2) / 2. It
 // stays when the clay only gets thicker or thinner, or when the ring lies off the axis.
-double Tearing::laid_square(int j, int stored) const noexcept {
-  const double added = added_square_[static_cast<std::size_t>(stored)];
-  return added > 0.0 ? added : j < solid_rows_ ? solid_square_ : hollow_square_;
-}
-
 bool Tearing::tears_now(const StageWork& work, int j) const noexcept {
   const Clay& clay = work.clay;
   const WallsDef& def = *work.def.walls;
@@ -39,13 +33,16 @@ bool Tearing::tears_now(const StageWork& work, int j) const noexcept {
   const row_kernels::Ring ring =
       row_kernels::of(clay.vectors())
           .measure(clay.stride(), clay.outer(j).data(), clay.inner(j).data());
-  const int stored = clay.stored(j);
-  const double strength =
-      work.building != nullptr ? work.building->strength(*work.def.building, stored) : 1.0;
-  if (strength * double{ring.thinnest} < def.tear_thickness) return true;
+  if (double{ring.thinnest} < def.tear_thickness) return true;
+  double laid = j < solid_rows_ ? solid_square_ : hollow_square_;
+  double strength = 1.0;
+  if (work.building != nullptr) {
+    const int stored = clay.stored(j);
+    strength = work.building->strength(*work.def.building, stored);
+    if (const double square = work.building->laid_square(stored); square > 0.0) laid = square;
+  }
   const double wider = 1.0 + strength * def.tear_strain;
-  return def.tear_strain > 0.0 &&
-         double{ring.squares} > wider * wider * laid_square(j, stored) * clay.sectors();
+  return def.tear_strain > 0.0 && double{ring.squares} > wider * wider * laid * clay.sectors();
 }
 
 void Tearing::note(Event event) noexcept {
@@ -86,21 +83,11 @@ void Tearing::run(const StageWork& work) noexcept {
   }
 }
 
-void Tearing::row_added(const Clay& clay, const RowAdded& added) noexcept {
-  const row_kernels::Ring ring =
-      row_kernels::of(clay.vectors())
-          .measure(clay.stride(), clay.outer(added.row).data(), clay.inner(added.row).data());
-  added_square_[static_cast<std::size_t>(added.to)] = double{ring.squares} / clay.sectors();
-  unseen_.add(added.row);
-}
-
 void Tearing::row_divided(const Clay&, const RowDivided& divided) noexcept {
   const int j = divided.row;
   const bool unseen = unseen_.has(j);
   unseen_.open(j + 1);
   if (unseen) unseen_.add(j + 1);
-  added_square_[static_cast<std::size_t>(divided.to)] =
-      added_square_[static_cast<std::size_t>(divided.from)];
 }
 
 void Tearing::rows_joined(const Clay&, const RowsJoined& joined) noexcept {
@@ -115,7 +102,6 @@ void Tearing::lay(Clay& clay, std::uint64_t step) noexcept {
   clay.areas()->mend();
   torn_rows_ = 0;
   unseen_.clear();
-  std::ranges::fill(added_square_, 0.0);
 }
 
 void Tearing::go_back(Clay& clay, std::uint64_t step) noexcept {

@@ -27,8 +27,8 @@ class Tearing {
 
   /// Stage 6.6: changed rings take turns, each within 0.1 s. A ring tears if its wall is somewhere
   /// thinner than WallsDef::tear_thickness, or if it is wider than it was laid by more than
-  /// WallsDef::tear_strain. A joint of coils (Building) tears sooner, by its strength. O(sectors) a
-  /// row.
+  /// WallsDef::tear_strain times its strength, which is less than 1 at a joint of coils (Building).
+  /// O(sectors) a row.
   void run(const StageWork& work) noexcept;
   /// A fresh lump was laid in `step`.
   void lay(Clay& clay, std::uint64_t step) noexcept;
@@ -39,8 +39,7 @@ class Tearing {
     laid.fresh ? lay(clay, laid.step) : go_back(clay, laid.step);
   }
 
-  /// The row is as wide as it was laid.
-  void row_added(const Clay& clay, const RowAdded& added) noexcept;
+  void row_added(const Clay&, const RowAdded& added) noexcept { unseen_.add(added.row); }
   /// Only whole rows are divided or joined.
   void row_divided(const Clay&, const RowDivided& divided) noexcept;
   void rows_joined(const Clay&, const RowsJoined& joined) noexcept;
@@ -57,7 +56,6 @@ class Tearing {
     int row = kFreshLump;  // stored row that tore
   };
   bool tears_now(const StageWork& work, int j) const noexcept;
-  double laid_square(int j, int stored) const noexcept;
   void note(Event event) noexcept;
   int next_unseen() noexcept;
 
@@ -65,7 +63,6 @@ class Tearing {
   std::vector<Event> events_;            // steps never fall; capacity never grows
   double hollow_square_, solid_square_;  // girth of the lump's rings, squared: see tears_now()
   int solid_rows_;                       // of the lump
-  std::vector<double> added_square_;     // by stored row, of rows that came later; 0: the lump's
   std::size_t lump_;                     // events that one lump has at most
   int torn_rows_ = 0;
   int next_ = 0;

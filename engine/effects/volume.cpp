@@ -82,11 +82,11 @@ Volume::Volume(Clay& clay, const Limits& limits) : limits_(limits) {
 
 bool Volume::wanted(const Effects& def) { return def.volume.has_value(); }
 
-// A pot that is built has its own tallest height.
+// A pot that is built may get as tall as its coils.
 Volume Volume::make(const Effects& def, Clay& clay) {
   Limits limits;
   if (def.building)
-    limits.tallest = std::max(1.0, def.building->tallest / clay.def().height) / kHeld;
+    limits.tallest = std::max(kTallest, def.building->tallest / clay.def().height / kHeld);
   return Volume(clay, limits);
 }
 

@@ -62,8 +62,7 @@ class Volume {
   void return_to(Clay& clay, std::uint64_t step) noexcept;
 
   double of_row(int j) const { return volume_[static_cast<std::size_t>(j)]; }  ///< m^3
-  /// Share of the clay that row `j` holds, 0..1. O(rows).
-  double share_of_row(const Clay& clay, int j) const noexcept { return of_row(j) / sum(clay); }
+  double of_all(const Clay& clay) const noexcept { return sum(clay); }         ///< m^3; O(rows).
   /// Moves `volume` m^3 from row `j` to row `to`; a negative volume moves the other way. keep()
   /// then sets their heights.
   void give(Clay& clay, int j, int to, double volume) noexcept;

@@ -28,7 +28,7 @@ std::vector<Tool> tools_of(const SceneDef& def) {
 
 void HandState::leave() noexcept {
   present = false;
-  rests = false;
+  rests = used_up = false;
   contact.release();
   wire = {};
   guard.release();
@@ -87,7 +87,7 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
            std::uint64_t{guard.armed()} << 2 | static_cast<std::uint64_t>(contact.side()) << 3 |
            static_cast<std::uint64_t>(contact.place()) << 4 | std::uint64_t{tool} << 8 |
            std::uint64_t{wire.drawing} << 16 | std::uint64_t{coil} << 17 |
-           std::uint64_t{rests} << 18);
+           std::uint64_t{rests} << 18 | std::uint64_t{used_up} << 19);
   if (tools[tool].shape->round()) return;  // round tools have no handle
   add(along);
   add(across);

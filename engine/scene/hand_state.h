@@ -30,7 +30,8 @@ struct HandState {
   std::uint8_t tool = 0;  // and tool
   bool present = false;   // active, with a known position
   bool coil = false;      // it holds a coil,
-  bool rests = false;     // which lay on the rim in this tick
+  bool rests = false;     // which lay on the rim in this tick,
+  bool used_up = false;   // or is part of a ring, until the hand is on top of the rim again
   ToolContact contact;
   WireHand wire;
   force::Guard guard;

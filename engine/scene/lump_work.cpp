@@ -118,6 +118,8 @@ void LumpWork::follow(const Parts& parts, bool touching, double seconds) noexcep
   bool busy = touching || does == HistoryThen::busy;
   if (parts.row_effects != nullptr) {
     busy = busy || parts.row_effects->moving();
+    // All rows of a ring come in one step, or undo would leave a part of it.
+    if (parts.row_effects->rises()) busy = true, seconds = 0.0;
     if (parts.row_effects->stands()) stood_at_ = parts.history->depth();
   }
   parts.history->follow(parts.clay, busy, seconds);

@@ -13,6 +13,9 @@ namespace {
 // one hand only grazes the wall, above kPinches both pinch it.
 constexpr double kGrazes = 0.5, kPinches = 0.7;
 
+// Coils: a hand that the rising rim caught lies deeper than this. One that lies as deep feels 6 mN.
+constexpr double kCaught = 0.02;
+
 // Its push grows as a ball's does.
 bool rounded(const ToolShape& shape) {
   return shape.body == BodyKind::ball || shape.body == BodyKind::capsule;
@@ -35,9 +38,21 @@ void Scene::State::lay_coil(const Tick& tick, std::size_t n) noexcept {
     return Vec3{c * at.x + s * at.z, at.y, c * at.z - s * at.x};
   };
   const ToolSweep& way = tick.sweep[n];
-  hand[n].rests =
-      row_effects->lay(def, clay, in_clay(way.from, tick.angle_from),
-                       in_clay(way.to, tick.angle_from + tick.turn), tick.dt, steps_taken());
+  scene::HandState& h = hand[n];
+  const Vec3 to = in_clay(way.to, tick.angle_from + tick.turn);
+  if (h.used_up) {
+    const double coil = def.building->coil;
+    h.used_up = effects::rim_touched(clay, to, 0.5 * coil).depth > kCaught * coil;
+    return;
+  }
+  const effects::Building* const built = building();
+  if (built == nullptr) return;
+  const bool rose = built->rises();
+  h.rests =
+      row_effects->lay(def, clay, in_clay(way.from, tick.angle_from), to, tick.dt, steps_taken());
+  if (rose || !built->rises()) return;
+  // The ring is closed: no hand holds what is left of a coil.
+  for (scene::HandState& each : hand) each.used_up = each.coil, each.rests = false;
 }
 
 // Stage 5. Both hands advance together in small steps.
@@ -45,7 +60,7 @@ void Scene::State::press_clay(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n)
     if (hand[n].present && !hand[n].coil && tools[hand[n].tool].shape->severs()) draw_wire(tick, n);
   if (slit.free()) {
-    for (scene::HandState& h : hand) h.contact = {};
+    for (scene::HandState& h : hand) h.contact = {}, h.rests = false;
     return;
   }
   for (std::size_t n = 0; n < hand.size(); ++n)

@@ -137,24 +137,32 @@ void RowEffects::take_turn(Clay& clay, double seconds) noexcept {
 void RowEffects::add_coil(const Effects& def, Clay& clay, const Tick& tick) noexcept {
   constexpr int kElementsATick = 8192;
   effects::Building& coil = *building();
+  if (!coil.rises()) return;
   const int first = clay.rows();
-  for (int n = std::max(1, kElementsATick / clay.stride()); n > 0 && coil.rises(); --n) {
+  double all = tick.moisture != nullptr ? volume()->of_all(clay) : 0.0;
+  const std::uint64_t step = tick.history != nullptr ? tick.history->depth() : 0;
+  for (int n = std::max(1, kElementsATick / clay.stride());
+       n > 0 && coil.rises() && clay.spare_rows() > 0; --n) {
     if (tick.history != nullptr) {
       tick.history->keep_row(clay, clay.next_spare());
       tick.history->note_inserted(clay.rows());
     }
-    const effects::RowAdded added = coil.raise(*def.building, clay, tick.step);
+    const effects::RowAdded added = coil.raise(*def.building, clay, step);
     each([&](auto& stage) { stage.row_added(clay, added); });
+    all += added.volume;
     if (tick.moisture != nullptr)
-      tick.moisture->row_added(clay, added.to, def.building->wetness,
-                               volume()->share_of_row(clay, added.row));
+      tick.moisture->row_added(clay, added.to, def.building->wetness, added.volume / all);
   }
-  if (clay.rows() > first) clay.restack_divided(first);
+  clay.restack_divided(first);
 }
 
 // Few changes a tick, because each costs a row's elements and moves all rows above.
 void RowEffects::refine(Clay& clay, const Tick& tick) noexcept {
   using Kind = effects::Refinement::Change::Kind;
+  // A ring under way has its rows.
+  if (building() != nullptr && building()->rows_kept() > 0 &&
+      clay.spare_rows() < building()->rows_kept() + effects::Refinement::kMostChanges)
+    return;
   for (int n = 0; n < effects::Refinement::kMostChanges; ++n) {
     const effects::Refinement::Change change = refinement_.next(clay, *volume());
     if (change.kind == Kind::none) return;

@@ -54,6 +54,8 @@ class RowEffects {
   bool torn() const { return tearing() && tearing()->any(); }
   /// A row is torn, and the last one tore before `step`.
   bool torn_before(std::uint64_t step) const { return tearing() && tearing()->torn_before(step); }
+  /// A closed ring of coil is becoming rows.
+  bool rises() const { return stage<effects::Building>() && stage<effects::Building>()->rises(); }
   /// The clay moves without a hand.
   bool moving() const { return sinking() > 0.0 || (springback() && !springback()->asleep()); }
   void add_to(StateHash& hash, Clay& clay) const;

@@ -81,6 +81,19 @@ Result<void> check_tearing(const SceneDef& def) {
   return check.result();
 }
 
+// Rows that a built pot may come to have.
+Result<void> check_building(const SceneDef& def) {
+  if (!def.building) return {};
+  constexpr double kMostElements = 32.0 * 1024 * 1024;  // as of clay.rows
+  const double rows = def.clay.rows + effects::Building::spare_rows(*def.building, def.clay);
+  FieldCheck check(BuildingDef::kName);
+  check.require(rows * def.clay.sectors <= kMostElements, "tallest",
+                "needs " + number_text(std::floor(rows)) +
+                    " rows as thin as those of the clay, more than 32 million elements.",
+                "Lower it, clay.rows or clay.sectors.");
+  return check.result();
+}
+
 Result<void> check_paper(const SceneDef& def) {
   if (!def.paper) return {};
   FieldCheck check(PaperDef::kName);
@@ -149,8 +162,8 @@ std::vector<SceneTool> usual_tools() {
 
 Result<void> validate(const SceneDef& def) {
   Result<void> good;
-  for (auto check :
-       {check_parts, check_tools, check_effects, check_needs, check_tearing, check_paper})
+  for (auto check : {check_parts, check_tools, check_effects, check_needs, check_tearing,
+                     check_building, check_paper})
     if (good) good = check(def);
   return good;
 }

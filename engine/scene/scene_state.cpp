@@ -218,7 +218,7 @@ void Scene::State::feel(Tick& tick) noexcept {
     tick.wanted[n] = force;
     const body::Ball lowest = shape.support(place, size, kDown);
     feel_stop(tick, n, lowest.radius - lowest.middle.y, lowest.radius, {0.0, 1.0, 0.0});
-    if (building() != nullptr) feel_coil(tick, n);
+    feel_coil(tick, n);
   }
 }
 
@@ -234,21 +234,20 @@ void Scene::State::feel_stop(Tick& tick, std::size_t n, double depth, double rad
   tick.wanted[n] += stop * out;
 }
 
-// Stage 7. A coil on the rim is firm until its ring is closed: a bare hand feels it. A hand that
-// holds a coil feels the rim through it instead.
+// Stage 7. A coil on the rim is firm until its ring is closed: a round tool feels it, and others
+// pass through. A hand that holds a coil feels the rim through it instead.
 void Scene::State::feel_coil(Tick& tick, std::size_t n) noexcept {
-  const effects::LaidCoil& laid = building()->laid();
+  const effects::Building* const built = building();
+  if (built == nullptr) return;
+  const effects::LaidCoil& laid = built->laid();
   const scene::HandState& h = hand[n];
-  if (laid.closed() || (!laid.any() && !h.coil)) return;
+  if (slit.free() || h.used_up) return;
+  if (!h.coil && (!laid.any() || laid.closed() || !tools[h.tool].shape->round())) return;
   const double angle = tick.angle_from + tick.turn;
   const double c = portable::cos(angle), s = portable::sin(angle);
   const double coil = def.building->coil;
-  const double height = building()->laid_height(*def.building, clay);
-  body::Ball ball{h.at, 0.5 * coil};
-  if (!h.coil) {
-    const Vec3 towards{0.0, height > h.at.y ? 1.0 : -1.0, 0.0};
-    ball = tools[h.tool].shape->within({h.at, h.along, h.across}, tools[h.tool].size, towards);
-  }
+  const double height = built->laid_height(*def.building, clay);
+  const body::Ball ball{h.at, h.coil ? 0.5 * coil : tools[h.tool].size.radius};
   const Vec3 at{c * ball.middle.x + s * ball.middle.z, ball.middle.y,
                 c * ball.middle.z - s * ball.middle.x};
   const effects::Overlap found = h.coil ? effects::rim_touched(clay, at, ball.radius)

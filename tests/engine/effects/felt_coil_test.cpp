@@ -73,5 +73,82 @@ TEST(FeltCoil, BetweenTwoRaysACoilIsAsHighAsOnThem) {
   EXPECT_NEAR(between, on, 0.2 * on);
 }
 
+// The coil in the hand is what rises: the hand is not caught by it.
+TEST(FeltCoil, AHandThatHoldsStillWhileItsRingClosesIsNeitherPulledNorPushed) {
+  for (const int rows : {12, 400}) {
+    const SceneDef def = bench(rows, rows == 12 ? 64 : 360);
+    Scene scene = made(def);
+    Hands hands;
+    hands.wheel_speed = 5.0;
+    hands.hand[0] = {{0.035, resting(scene) - 0.001, 0.0}, true};
+    hands.hand[0].coil = true;
+    Vec3 before;
+    double most = 0.0;
+    bool closed = false;
+    for (int n = 0; n < 2500; ++n) {
+      const Vec3 now = scene.step(hands, 0.001).hand[0].force;
+      if (n > 600) most = std::max(most, length(now - before));
+      EXPECT_GE(now.y, -1e-9) << n;
+      before = now;
+      closed = closed || scene.coil().added > 0.0;
+    }
+    EXPECT_TRUE(closed);
+    EXPECT_EQ(length(before), 0.0) << "what is left of the coil is used up";
+    EXPECT_LE(most, 0.6 + 1e-9);  // the guard's slew
+    EXPECT_TRUE(scene.coil().centre.empty());
+    // Lifted and brought down again, it has another coil.
+    hands.hand[0].position.y = resting(scene) + 0.02;
+    wait(scene, 0.2, hands);
+    hands.hand[0].position.y = resting(scene) - 0.001;
+    for (int n = 0; n < 300; ++n) scene.step(hands, 0.001);
+    EXPECT_FALSE(scene.coil().centre.empty());
+  }
+}
+
+// The wheel has turned by a quarter, and the coil with it.
+TEST(FeltCoil, ACoilIsFeltWhereItIsNowNotWhereItWasLaid) {
+  const SceneDef def = bench();
+  Scene scene = made(def);
+  go_round(scene, 0.035, 0.5);  // from angle 0 to pi
+  Hands turn;
+  turn.wheel_speed = 5.0;
+  double angle = 0.0;
+  while (angle < 0.5 * portable::kPi) angle = scene.step(turn, 0.001).wheel_angle;
+  Feedback back = scene.step({}, 0.001);
+  while (back.wheel_speed > 0.0) back = scene.step({}, 0.001);
+  const auto felt = [&](double at) {
+    Hands hands;
+    hands.hand[0] = {{0.035 * portable::cos(at), 0.030, 0.035 * portable::sin(at)}, true};
+    Feedback now;
+    for (int n = 0; n < 800; ++n) now = scene.step(hands, 0.001);
+    wait(scene, 0.1);
+    return length(now.hand[0].force);
+  };
+  // A point at clay angle a stands at a - wheel_angle... or a + wheel_angle: the page says which.
+  EXPECT_GT(felt(0.5 * portable::kPi + back.wheel_angle), 0.1);
+  EXPECT_EQ(felt(1.5 * portable::kPi + back.wheel_angle), 0.0);
+}
+
+TEST(FeltCoil, APotThatIsCutFreeHasNothingToFeel) {
+  const SceneDef def = bench();
+  Scene scene = made(def);
+  go_round(scene, 0.035, 0.5);
+  Hands hands;
+  hands.hand[0].active = true;
+  for (std::uint8_t k = 0; k < def.tools.size(); ++k)
+    if (def.tools[k].name == "wire") hands.hand[0].tool = k + 1;
+  Feedback back;
+  for (int n = 0; n < 3000 && back.cut_free < 1.0; ++n) {
+    hands.hand[0].position = {0.08 - 0.00006 * n, 0.005, 0.0};
+    back = scene.step(hands, 0.001);
+  }
+  ASSERT_EQ(back.cut_free, 1.0);
+  wait(scene, 0.1);
+  hands = {};
+  hands.hand[0] = {{0.0, 0.030, 0.035}, true};
+  for (int n = 0; n < 500; ++n) back = scene.step(hands, 0.001);
+  EXPECT_EQ(length(back.hand[0].force), 0.0);
+}
+
 }  // namespace
 }  // namespace onggi::effects::felt_coil_test

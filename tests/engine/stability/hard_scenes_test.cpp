@@ -71,6 +71,7 @@ TEST(HardScenes, WhateverIsBuiltOfCoils) {
       SceneDef def = everything(small(40, 32));
       def.building->coil = coil;
       def.building->pace = 5.0;
+      def.clay.keep_undo = true;
       if (disc) {
         def.clay.rows = 16;
         def.clay.height = def.clay.floor_thickness = 0.010;
