@@ -105,28 +105,36 @@ TEST(FeltCoil, AHandThatHoldsStillWhileItsRingClosesIsNeitherPulledNorPushed) {
   }
 }
 
-// The wheel has turned by a quarter, and the coil with it.
-TEST(FeltCoil, ACoilIsFeltWhereItIsNowNotWhereItWasLaid) {
+// The wheel has turned by about a radian, and the coil with it.
+TEST(FeltCoil, ACoilIsFeltWhereItIsNowAndPushesOutwardsFromThere) {
   const SceneDef def = bench();
   Scene scene = made(def);
   go_round(scene, 0.035, 0.5);  // from angle 0 to pi
   Hands turn;
   turn.wheel_speed = 5.0;
   double angle = 0.0;
-  while (angle < 0.5 * portable::kPi) angle = scene.step(turn, 0.001).wheel_angle;
+  while (angle < 1.0) angle = scene.step(turn, 0.001).wheel_angle;
   Feedback back = scene.step({}, 0.001);
   while (back.wheel_speed > 0.0) back = scene.step({}, 0.001);
-  const auto felt = [&](double at) {
+  const auto felt = [&](double at, double out) {
     Hands hands;
-    hands.hand[0] = {{0.035 * portable::cos(at), 0.030, 0.035 * portable::sin(at)}, true};
+    hands.hand[0] = {{out * portable::cos(at), 0.027, out * portable::sin(at)}, true};
     Feedback now;
     for (int n = 0; n < 800; ++n) now = scene.step(hands, 0.001);
     wait(scene, 0.1);
-    return length(now.hand[0].force);
+    return now.hand[0].force;
   };
-  // A point at clay angle a stands at a - wheel_angle... or a + wheel_angle: the page says which.
-  EXPECT_GT(felt(0.5 * portable::kPi + back.wheel_angle), 0.1);
-  EXPECT_EQ(felt(1.5 * portable::kPi + back.wheel_angle), 0.0);
+  const double middle = 0.5 * portable::kPi + back.wheel_angle;
+  EXPECT_EQ(felt(middle + portable::kPi, 0.041), Vec3{});
+  for (const double off : {-0.6, 0.0, 0.6}) {
+    const double at = middle + off;
+    const Vec3 force = felt(at, 0.041);
+    const double outwards = force.x * portable::cos(at) + force.z * portable::sin(at);
+    const double along = force.z * portable::cos(at) - force.x * portable::sin(at);
+    EXPECT_GT(outwards, 0.05) << off;
+    EXPECT_LT(std::fabs(along), 0.1 * outwards) << off;
+    EXPECT_GT(force.y, 0.05) << off;
+  }
 }
 
 TEST(FeltCoil, APotThatIsCutFreeHasNothingToFeel) {
