@@ -118,9 +118,12 @@ TEST(FeltCoil, ACoilIsFeltWhereItIsNowAndPushesOutwardsFromThere) {
   while (back.wheel_speed > 0.0) back = scene.step({}, 0.001);
   const auto felt = [&](double at, double out) {
     Hands hands;
-    hands.hand[0] = {{out * portable::cos(at), 0.027, out * portable::sin(at)}, true};
     Feedback now;
-    for (int n = 0; n < 800; ++n) now = scene.step(hands, 0.001);
+    for (int n = 0; n < 1200; ++n) {  // it comes down from above
+      const double height = 0.027 + std::max(0.0, 0.02 - 0.00002 * n);
+      hands.hand[0] = {{out * portable::cos(at), height, out * portable::sin(at)}, true};
+      now = scene.step(hands, 0.001);
+    }
     wait(scene, 0.1);
     return now.hand[0].force;
   };
