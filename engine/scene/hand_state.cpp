@@ -35,15 +35,16 @@ void HandState::leave() noexcept {
   velocity.release();
 }
 
-bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept {
+bool HandState::take(const HandInput& in, bool holds_coil, std::span<const Tool> tools,
+                     ToolSweep& sweep) noexcept {
   const bool good = plausible(in.position) && plausible(in.handle) && std::isfinite(in.roll) &&
                     in.tool < tools.size();
   if (!good) guard.release();
   if (!good && !present) return false;
-  if (good && (in.tool != tool || in.coil != coil)) {
+  if (good && (in.tool != tool || holds_coil != coil)) {
     leave();
     tool = in.tool;
-    coil = in.coil;
+    coil = holds_coil;
   }
   const Tool& mine = tools[tool];
   const Vec3 to = good ? in.position : at;

@@ -40,7 +40,9 @@ struct HandState {
   /// Takes a sample of an active hand. An invalid one is dropped: the last one stays, and the
   /// result is false. For a present hand, sets the path of `sweep` for the tick; the caller fills
   /// in angles and seconds.
-  bool take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept;
+  /// `holds_coil`: HandInput::coil, in a scene that has coils.
+  bool take(const HandInput& in, bool holds_coil, std::span<const Tool> tools,
+            ToolSweep& sweep) noexcept;
   /// Call when the hand leaves. The next valid sample is an arrival: no sweep from the last
   /// position, no force yet.
   void leave() noexcept;

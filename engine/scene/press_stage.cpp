@@ -63,8 +63,6 @@ void Scene::State::press_clay(Tick& tick) noexcept {
     for (scene::HandState& h : hand) h.contact = {}, h.rests = false;
     return;
   }
-  for (std::size_t n = 0; n < hand.size(); ++n)
-    if (hand[n].present && hand[n].coil && lump.playing()) lay_coil(tick, n);
   std::array<Yielding, kMaxHands> yielding;
   int steps = 1;
   for (std::size_t n = 0; n < hand.size(); ++n) {
@@ -77,6 +75,8 @@ void Scene::State::press_clay(Tick& tick) noexcept {
         steps, steps_for(tick.sweep[n], yielding[n].relaxation_time, hand[n].contact.pressed()));
   }
   if (row_effects) {
+    for (std::size_t n = 0; n < hand.size(); ++n)
+      if (hand[n].present && hand[n].coil && lump.playing()) lay_coil(tick, n);
     for (std::size_t n = 0; n < hand.size(); ++n) {
       const scene::HandState& other = hand[1 - n];
       const bool held = other.present && row_effects->holds(1 - n) &&

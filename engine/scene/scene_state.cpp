@@ -54,9 +54,8 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
     return;
   }
   tick.sweep[n].seconds = tick.dt;
-  HandInput taken = in;
-  taken.coil = in.coil && building() != nullptr;
-  tick.held[n] = !h.take(taken, tools, tick.sweep[n]);
+  const bool coil = in.coil && building() != nullptr;
+  tick.held[n] = !h.take(in, coil, tools, tick.sweep[n]);
   if (!tick.held[n]) return;
   faults |= kFaultInput;
   ++counters.held_samples;
@@ -217,8 +216,9 @@ void Scene::State::feel(Tick& tick) noexcept {
     }
     tick.wanted[n] = force;
     const body::Ball lowest = shape.support(place, size, kDown);
-    feel_stop(tick, n, lowest.radius - lowest.middle.y, lowest.radius, {0.0, 1.0, 0.0});
-    feel_coil(tick, n);
+    const double below = lowest.radius - lowest.middle.y;
+    if (below > 0.0) feel_stop(tick, n, below, lowest.radius, {0.0, 1.0, 0.0});
+    if (row_effects) feel_coil(tick, n);
   }
 }
 

@@ -91,7 +91,8 @@ TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {
   }
   EXPECT_EQ(names,
             "base; + moisture; + walls; + propagation; + springback; + smoothing; + wobble; "
-            "+ slump (and volume); + volume; + friction; + kiln; first_touch.toml; master.toml; "
+            "+ slump (and volume); + volume; + building (and volume); + friction; + kiln; "
+            "first_touch.toml; master.toml; "
             "paper.toml; studio.toml; all; ");
 }
 
