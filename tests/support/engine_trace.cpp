@@ -51,7 +51,7 @@ std::uint64_t coils_hash(SceneDef def, Vectors kind) {
     hands.hand[0].coil = n % 1800 < 1500;
     const double out = hands.hand[0].coil ? 0.045 : 0.058;
     hands.hand[0].position = {out,
-                              scene->clay().rim_height() + (hands.hand[0].coil ? 0.0055 : -0.01),
+                              scene->clay().rim_height() + (hands.hand[0].coil ? 0.0064 : -0.01),
                               0.002 * portable::sin(0.01 * n)};
     hands.hand[1] = {
         {-0.03, scene->clay().rim_height() - 0.012, 0.0}, n % 300 > 150, SideWish::inside};
