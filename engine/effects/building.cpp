@@ -54,10 +54,10 @@ int slices_of(const BuildingDef& def, const ClayDef& clay) {
 
 }  // namespace
 
-// As many rings as there may be rows for, and as many again, pressed down between.
+// As many rings as there may be rows for.
 Building::Building(const BuildingDef& def, const Clay& clay)
     : laid_(clay.sectors(),
-            2 * static_cast<std::size_t>(clay.room() / slices_of(def, clay.def()) + 1) *
+            static_cast<std::size_t>(clay.room() / slices_of(def, clay.def()) + 1) *
                 static_cast<std::size_t>(clay.sectors() + slices_of(def, clay.def()))),
       rings_(static_cast<std::size_t>(clay.room())),
       slices_(slices_of(def, clay.def())),
