@@ -99,7 +99,7 @@ TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {
 TEST(Lab, ThePriceListGoesToStandardOutputWhereThatIsAskedFor) {
   const Outcome run = onggi("lab effects --quick --grid 60x48 --json -");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(nlohmann::json::parse(run.out).at("prices").size(), 16u);
+  EXPECT_EQ(nlohmann::json::parse(run.out).at("prices").size(), 17u);
   EXPECT_NE(run.err.find("p99.9"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists("-"));
 }
