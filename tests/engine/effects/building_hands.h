@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/math/portable.h"
@@ -53,6 +54,12 @@ inline void undo(Scene& scene) {
   Hands hands;
   hands.restore = true;
   wait(scene, 0.5, hands);
+}
+
+/// Sectors on which half a ring lies.
+inline int laid_sectors(const Scene& scene) {
+  return static_cast<int>(
+      std::ranges::count_if(scene.coil().centre, [](float centre) { return centre > 0; }));
 }
 
 /// A ring of the coil's section whose middle is `radius` from the axis, m^3 (Pappus).

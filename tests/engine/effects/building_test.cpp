@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "engine/effects/tearing.h"
 #include "engine/effects/volume.h"
 #include "engine/scene/replay.h"
 #include "tests/engine/effects/building_hands.h"
@@ -16,11 +14,6 @@ namespace onggi::effects::building_test {
 namespace {
 
 using namespace effects_test;
-
-int laid_sectors(const Scene& scene) {
-  return static_cast<int>(
-      std::ranges::count_if(scene.coil().centre, [](float c) { return c > 0; }));
-}
 
 float widest(const Clay& clay, int j) { return *std::ranges::max_element(clay.outer(j)); }
 
@@ -204,131 +197,6 @@ TEST(Building, ACoilThatIsThickerThanThePotMayBeWideIsNotLaid) {
   }
 }
 
-TEST(Building, UndoTakesCoilsBackAsTheyWereLaid) {
-  const SceneDef def = bench();
-  Scene scene = made(def);
-  const auto floor = test::exact_shape(scene.clay());
-  go_round(scene, 0.035);
-  wait(scene, 1.0);
-  const auto one = test::exact_shape(scene.clay());
-  const double volume = scene.clay().volume();
-  go_round(scene, 0.035, 0.5);
-  wait(scene, 1.0);
-  const int half = laid_sectors(scene);
-  go_round(scene, 0.035, 0.5, 2.0, 0.001, portable::kPi);
-  wait(scene, 1.0);
-  EXPECT_EQ(laid_sectors(scene), 0);
-  EXPECT_GT(scene.clay().rows(), 2 * 12);
-  undo(scene);
-  EXPECT_EQ(laid_sectors(scene), half) << "the second half is taken back, the first one lies";
-  EXPECT_EQ(test::exact_shape(scene.clay()), one);
-  undo(scene);
-  EXPECT_EQ(laid_sectors(scene), 0);
-  EXPECT_EQ(test::exact_shape(scene.clay()), one);
-  EXPECT_NEAR(scene.clay().volume() / volume, 1.0, 1e-12);
-  while (scene.can_restore()) undo(scene);
-  const auto now = test::exact_shape(scene.clay());
-  ASSERT_EQ(now.size(), floor.size());
-  for (std::size_t n = 0; n < now.size(); ++n) ASSERT_NEAR(now[n], floor[n], 1e-15) << n;
-  EXPECT_NEAR(scene.coil().added, 0.0, 1e-15);
-  EXPECT_EQ(laid_sectors(scene), 0);
-}
-
-TEST(Building, AFreshLumpHasNoCoilsAndTakesNewOnes) {
-  const SceneDef def = bench();
-  Scene scene = made(def);
-  const auto floor = test::exact_shape(scene.clay());
-  go_round(scene, 0.035, 2.5, 5.0);
-  wait(scene, 0.1);
-  Hands hands;
-  hands.renew = true;
-  wait(scene, 0.5, hands);
-  EXPECT_EQ(test::exact_shape(scene.clay()), floor);
-  EXPECT_EQ(laid_sectors(scene), 0);
-  go_round(scene, 0.035);
-  wait(scene, 0.1);
-  EXPECT_GT(scene.clay().rows(), def.clay.rows);
-}
-
-TEST(Building, AFreshLumpThatIsTakenBackHasItsCoilsAgain) {
-  SceneDef def = bench();
-  def.clay.inner_radius = 0.02;
-  def.walls.emplace().tear_strain = 0.3;
-  Scene scene = made(def);
-  go_round(scene, 0.041);
-  wait(scene, 0.1);
-  go_round(scene, 0.041, 0.6, 1.5);
-  wait(scene, 1.0);
-  const auto before = test::exact_shape(scene.clay());
-  const double added = scene.coil().added;
-  const int half = laid_sectors(scene);
-  ASSERT_GT(half, 20);
-  Hands hands;
-  hands.renew = true;
-  wait(scene, 0.5, hands);
-  EXPECT_EQ(laid_sectors(scene), 0);
-  EXPECT_EQ(scene.coil().added, 0.0);
-  undo(scene);
-  EXPECT_EQ(test::exact_shape(scene.clay()), before);
-  EXPECT_EQ(scene.coil().added, added);
-  EXPECT_EQ(laid_sectors(scene), half);
-  wait(scene, 0.5);
-  EXPECT_FALSE(scene.step({}, 0.001).torn) << "a ring is as wide as it was laid";
-}
-
-// On a grid where a tick adds one row of ten, and a step that has lasted its longest.
-TEST(Building, ARingThatRisesForSomeTicksIsTakenBackWhole) {
-  SceneDef def = bench(8, 8192);
-  Scene scene = made(def);
-  const auto floor = test::exact_shape(scene.clay());
-  for (const double closes : {2.9935, 2.996, 2.9995}) {
-    go_round(scene, 0.035, 1.0, closes);
-    wait(scene, 1.0);
-    EXPECT_NEAR(scene.coil().added / ring(def, 0.035), 1.0, 1e-4);
-    undo(scene);
-    EXPECT_EQ(scene.coil().added, 0.0) << closes;
-    while (scene.can_restore()) undo(scene);
-    EXPECT_EQ(scene.coil().added, 0.0);
-    EXPECT_EQ(laid_sectors(scene), 0);
-    ASSERT_EQ(test::exact_shape(scene.clay()).size(), floor.size());
-    wait(scene, 0.5);
-    ASSERT_EQ(test::exact_shape(scene.clay()).size(), floor.size()) << "nothing rises again";
-  }
-}
-
-// The rows that a ring under way will take are not divided away.
-TEST(Building, ARingUnderWayKeepsItsRows) {
-  SceneDef def = bench();
-  def.building->tallest = 0.05;
-  Scene scene = made(def);
-  for (int k = 0; k < 3; ++k) go_round(scene, 0.035), wait(scene, 0.1);
-  RandomHands random(5);
-  for (int round = 0; round < 8; ++round) {
-    Hands hands;
-    for (int n = 0; n < 600; ++n) {  // the rim is pressed down
-      const double angle = 0.02 * n;
-      hands.hand[0] = {{0.035 * portable::cos(angle), scene.clay().rim_height() + 0.005,
-                        0.035 * portable::sin(angle)},
-                       true};
-      scene.step(hands, 0.001);
-    }
-    go_round(scene, 0.035, 0.7);
-    for (int n = 0; n < 1500; ++n) {  // the wall is pinched
-      const double angle = 0.01 * n;
-      const auto at = [&](double out) {
-        return Vec3{out * portable::cos(angle), 0.02, out * portable::sin(angle)};
-      };
-      hands.hand[0] = {at(0.047), true, SideWish::outside};
-      hands.hand[1] = {at(0.023), true, SideWish::inside};
-      scene.step(hands, 0.001);
-    }
-    go_round(scene, 0.035, 1.0, 2.0, 0.001, 3.0);
-    wait(scene, 0.2);
-    ASSERT_NO_FATAL_FAILURE(expect_whole(scene.clay())) << round;
-    ASSERT_GE(scene.clay().spare_rows(), 0);
-  }
-}
-
 TEST(Building, AHandAtTheAxisLaysNoRingAtOnce) {
   const SceneDef def = bench();
   Scene scene = made(def);
@@ -405,106 +273,6 @@ TEST(Building, ACoilBringsItsOwnWater) {
   wait(scene, 0.1);
   EXPECT_NEAR(scene.wetness_of(scene.clay().rows() - 1), 0.4, 0.001);
   EXPECT_NEAR(scene.wetness_of(0), 0.0, 0.001);
-}
-
-// Six rings, of which only the joints differ.
-Scene built(double joint, double yield) {
-  SceneDef def = bench(20);
-  def.slump.emplace().yield_stress = yield;
-  def.slump->viscosity = 100.0;
-  def.building->joint = joint;
-  def.building->wetness = 0.0;
-  Scene scene = made(def);
-  for (int k = 0; k < 6; ++k) {
-    go_round(scene, 0.035);
-    wait(scene, 0.2);
-  }
-  return scene;
-}
-
-TEST(Building, AWallYieldsAtItsJointsFirst) {
-  // 70 mm of clay press 1340 Pa on a ring as broad as the coil, and 1960 where it is squeezed.
-  const auto stands = [](double joint, double yield) {
-    Scene scene = built(joint, yield);
-    wait(scene, 3.0);
-    return scene.clay().rim_height();
-  };
-  const double firm = stands(1.0, 8000.0);
-  EXPECT_NEAR(stands(1.0, 1500.0), firm, 1e-6);
-  EXPECT_NEAR(stands(0.3, 8000.0), firm, 1e-6);
-  EXPECT_LT(stands(0.3, 1500.0), firm - 1e-4);
-}
-
-// A disc with one ring of coil, all rows of which have come, and its lowest row.
-struct Ringed {
-  SceneDef def = bench(20);
-  Clay clay = std::move(*Clay::create(def.clay));
-  std::optional<Building> building;
-  RowAdded lowest;
-
-  Ringed() {
-    def.clay.inner_radius = 0.04;  // of the lump's walls, which a disc has none of
-    clay = std::move(*Clay::create(def.clay, best_vectors(), 100));
-    clay.keep_areas();
-    clay.keep_displacements();
-    building.emplace(*def.building, clay);
-    for (int i = 0; i < 64; ++i) {
-      const double angle = (i + 0.5) / 64 * 2.0 * portable::kPi;
-      const Vec3 at{0.035 * portable::cos(angle), 0.0164, 0.035 * portable::sin(angle)};
-      EXPECT_TRUE(building->lay(*def.building, clay, at, at, 0.001, 0));
-    }
-    lowest = building->raise(*def.building, clay, 0);
-  }
-  double strength() const { return building->strength(*def.building, lowest.to); }
-  // One face moves by `by` (m), all round.
-  double work(WallSide side, float by) {
-    Displacements& moved = *clay.displacements(side == WallSide::inside);
-    std::fill_n(moved.row(lowest.to), 64, by);
-    moved.mark(lowest.row, {0, 8});
-    RowTick tick;
-    building->run({def, clay, tick, nullptr, &*building, side, 0.001});
-    moved.clear(clay.stored());
-    return strength();
-  }
-};
-
-TEST(Building, AJointGetsAsStrongAsItWasWorkedMoreSoOnBothSides) {
-  Ringed pot;
-  EXPECT_EQ(pot.strength(), 0.3);
-  EXPECT_EQ(pot.building->strength(*pot.def.building, 0), 1.0) << "the floor has no joint";
-  // Half a millimetre all round leaves 1/e of what was missing on that face.
-  const double missing = 1.0 - std::exp(-1.0);
-  EXPECT_NEAR(pot.work(WallSide::outside, 0.0005f), 0.3 + 0.5 * missing * 0.56, 1e-6);
-  EXPECT_NEAR(pot.work(WallSide::inside, 0.0005f), 0.3 + missing * 0.56, 1e-6);
-  for (int n = 0; n < 20; ++n)
-    pot.work(WallSide::outside, 0.0005f), pot.work(WallSide::inside, 0.0005f);
-  EXPECT_NEAR(pot.work(WallSide::outside, 0.0f), 0.86, 1e-6);
-}
-
-// A ring may get wider than it was laid by a tenth as laid, by a quarter when pinched.
-TEST(Building, APinchedJointHoldsWhereOneThatWasOnlyLaidTears) {
-  const auto tears = [](bool pinched, float wider, double thickness) {
-    Ringed pot;
-    pot.def.walls.emplace().tear_strain = 0.3;
-    pot.def.walls->tear_thickness = thickness;
-    Tearing tearing(pot.clay);
-    tearing.row_added(pot.clay, pot.lowest);
-    for (int n = 0; pinched && n < 20; ++n)
-      pot.work(WallSide::outside, 0.0005f), pot.work(WallSide::inside, 0.0005f);
-    for (float& r : pot.clay.outer_mut(pot.lowest.row)) r *= wider;
-    for (float& r : pot.clay.inner_mut(pot.lowest.row)) r *= wider;
-    RowTick tick;
-    tick.seconds = 0.2;
-    tearing.run({pot.def, pot.clay, tick, nullptr, &*pot.building});
-    return tearing.any();
-  };
-  EXPECT_FALSE(tears(false, 1.08f, 0.0));
-  EXPECT_TRUE(tears(false, 1.15f, 0.0));
-  EXPECT_FALSE(tears(true, 1.15f, 0.0));
-  EXPECT_TRUE(tears(true, 1.3f, 0.0));
-  // The squeezed foot of the ring is 8.5 mm thick, whatever its strength.
-  EXPECT_FALSE(tears(false, 1.0f, 0.0035));
-  EXPECT_TRUE(tears(true, 1.0f, 0.0095));
 }
 
 TEST(Building, AWallOfCoilsThatIsPinchedGetsHigherAsAThrownOneDoes) {
