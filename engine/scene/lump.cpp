@@ -11,7 +11,9 @@ namespace {
 constexpr double kFingertip = 0.008;   // m: a tool of this radius fits inside
 constexpr double kKeptWall = 0.014;    // m: thick enough to stand
 constexpr double kOpenedWall = 0.006;  // m: wall of a ring that opens as a whole to the belly
-constexpr double kBroad = 1.25;        // times the belly's radius: a lump to be cut down
+constexpr double kBuiltFloor = 0.01;   // m
+constexpr int kFewestRows = 8;
+constexpr double kBroad = 1.25;  // times the belly's radius: a lump to be cut down
 // share of the target's height: least RMS distance from its outline
 constexpr double kUnlike = 0.06;
 
@@ -65,6 +67,16 @@ void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
   lump.floor_thickness = std::max(lump.floor_thickness, lump.floor_min);
 }
 
+// The floor of a pot that is built of coils: a disc as wide as the target's foot.
+void beat_a_floor(const Profile& target, ClayDef& def) {
+  const double row = def.height / def.rows;
+  def.height = def.floor_thickness = kBuiltFloor;
+  def.rows = std::max(kFewestRows, static_cast<int>(std::lround(kBuiltFloor / row)));
+  def.inner_radius = def.radius_min;
+  def.outer_radius = std::clamp(widest_below(target, kBuiltFloor),
+                                def.radius_min + def.wall_min + 0.001, 0.95 * def.radius_max);
+}
+
 }  // namespace
 
 double workspace_scale(const Profile& target, double max_height, double max_diameter) {
@@ -74,6 +86,7 @@ double workspace_scale(const Profile& target, double max_height, double max_diam
 ClayDef lump_for(const Profile& target, const SceneDef& scene) {
   const ClayDef& base = scene.clay;
   ClayDef def = base;
+  if (scene.building) return beat_a_floor(target, def), def;
   def.height = std::clamp(target.height(), 0.01, 1.0);
   def.floor_thickness = std::min(base.floor_thickness, 0.1 * def.height);
 

@@ -17,7 +17,9 @@ double workspace_scale(const Profile& target, double max_height = scene::kTalles
 
 /// The lump for `target` (already at workspace scale). All other fields come from `scene`'s clay.
 /// It is thick-walled, away from the target's outline, and as tall as the target; if the scene
-/// keeps volume, as tall as the target's clay needs.
+/// keeps volume, as tall as the target's clay needs. If the scene has coils (BuildingDef), it is a
+/// floor to build on: a disc of 10 mm as wide as the target's foot, with rows as high as the
+/// scene's.
 ClayDef lump_for(const Profile& target, const SceneDef& scene);
 
 }  // namespace onggi

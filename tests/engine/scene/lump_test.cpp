@@ -37,6 +37,24 @@ TEST(Lump, IsAsTallAsTheTargetHasRoomForAFingerAndIsClearlyAnotherShape) {
   }
 }
 
+TEST(Lump, OfAPotThatIsBuiltIsAFloorAsWideAsTheVesselsFoot) {
+  for (const auto& [name, drawn] : vessels::all()) {
+    const Profile target = scaled(drawn, workspace_scale(drawn));
+    SceneDef def;
+    def.volume.emplace();
+    def.building.emplace();
+    const double row = def.clay.height / def.clay.rows;
+    def.clay = lump_for(target, def);
+    ASSERT_TRUE(validate(def)) << name;
+    const Profile floor = Scene::create(def)->clay().profile();
+    EXPECT_NEAR(floor.height(), 0.010, 1e-6) << name;
+    EXPECT_NEAR(floor.floor_height(), 0.010, 1e-6) << name << ": solid";
+    EXPECT_GE(floor.max_radius(), target.outer_at(0.0) - 1e-6) << name;
+    EXPECT_LE(floor.max_radius(), target.max_radius() + 1e-6) << name;
+    EXPECT_NEAR(def.clay.height / def.clay.rows, row, 0.2 * row) << name << ": rows stay as fine";
+  }
+}
+
 /// Where rings keep their clay and the pot does not, what a vessel's lump is.
 SceneDef walled(const Profile& target) {
   SceneDef def;
