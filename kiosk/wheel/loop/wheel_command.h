@@ -38,6 +38,9 @@ struct Take {
   int hand = 0;
   std::uint8_t tool = 0;
 };
+struct HoldCoil {  ///< Hand 0.
+  bool on = false;
+};
 struct TurnWheel {
   double rad_per_s = 0.0;
 };
@@ -64,9 +67,9 @@ struct ClearFaults {
 
 using Command =
     std::variant<command::GiveBack, command::Put, command::Play, command::Attach, command::Detach,
-                 command::Lead, command::Take, command::TurnWheel, command::Water, command::Renew,
-                 command::Restore, command::Pause, command::Show, command::Harden,
-                 command::Decorate, command::ClearFaults>;
+                 command::Lead, command::Take, command::HoldCoil, command::TurnWheel,
+                 command::Water, command::Renew, command::Restore, command::Pause, command::Show,
+                 command::Harden, command::Decorate, command::ClearFaults>;
 static_assert(std::is_trivially_copyable_v<Command>, "the queue moves it without a thought");
 
 }  // namespace onggi::loop

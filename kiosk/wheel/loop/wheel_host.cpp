@@ -38,6 +38,8 @@ void WheelHost::start(std::unique_ptr<Scene> scene) {
   recording_.reset();
   dropped_ = 0;
   view_.clay.lay(scene->def().clay, scene->clay().room());
+  view_.coil = {};
+  if (scene->def().building) view_.coil.diameter = scene->def().building->coil;
   auto pot = std::make_unique<Pot>(std::move(*scene), ++serial_);
   current_ = pot.get();
   lent_.reset();
@@ -93,6 +95,7 @@ int WheelHost::collect() {
     count = current_->rows.take_into(view_.clay);
     current_->rows.ask();
     if (current_->wet) current_->wet->copy_to(view_.clay.wet);
+    if (current_->coil) current_->coil->copy_to(view_.coil);
   }
   view_.status = status();
   view_.clay.angle = view_.status.feedback.clay_angle;

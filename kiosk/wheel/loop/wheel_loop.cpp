@@ -27,6 +27,7 @@ Pot::Pot(Scene made, std::uint32_t number)
   scene.mark_all_dirty();
   const auto& moisture = scene.def().moisture;
   if (moisture && moisture->sponge_height > 0.0) wet = std::make_unique<WetnessByRow>();
+  if (scene.def().building) coil = std::make_unique<CoilByAngle>();
 }
 
 WheelLoop::WheelLoop() : commands_(kCommandDepth), returned_(kReturnDepth) {}
@@ -67,6 +68,7 @@ void WheelLoop::apply(const command::Put& wish) noexcept {
   end_leather(true);
   lift_hands();
   taken_ = {};
+  coil_ = false;
   status_.scene_serial = pot_->serial;
   paused_ = shown_ = false;
 }
@@ -159,6 +161,7 @@ void WheelLoop::read_hands(double dt, Hands& hands) noexcept {
   }
   for (std::size_t h = 0; h < taken_.size(); ++h)
     if (taken_[h]) hands.hand[h].tool = *taken_[h];
+  hands.hand[0].coil = coil_;
   off_ = asked_.renew || asked_.restore ? kOff : std::max(0.0, off_ - dt);
   if (off_ > 0)
     for (HandInput& hand : hands.hand) hand.active = false;
@@ -237,6 +240,7 @@ void WheelLoop::tick(double dt) noexcept {
   if (pot_ == nullptr) return;
   pot_->rows.publish(pot_->scene, kRowsPerTick);
   if (pot_->wet) pot_->wet->publish(pot_->scene);
+  if (pot_->coil) pot_->coil->publish(pot_->scene.coil());
   status_.ticks = pot_->scene.counters().ticks;
   status_.time = pot_->scene.time();
   status_.can_restore = pot_->scene.can_restore();

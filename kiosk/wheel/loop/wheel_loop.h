@@ -11,6 +11,7 @@
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
 #include "kiosk/wheel/device/hand_device.h"
+#include "kiosk/wheel/loop/coil_by_angle.h"
 #include "kiosk/wheel/loop/leather_work.h"
 #include "kiosk/wheel/loop/row_channel.h"
 #include "kiosk/wheel/loop/status.h"
@@ -26,7 +27,8 @@ struct Pot {
   Scene scene;
   std::uint32_t serial;
   RowChannel rows;
-  std::unique_ptr<WetnessByRow> wet;                  ///< Present if rows have their own wetness.
+  std::unique_ptr<WetnessByRow> wet;                  ///< Present if rows have their own wetness,
+  std::unique_ptr<CoilByAngle> coil;                  ///< and if the pot is built of coils.
   moodycamel::ReaderWriterQueue<TickRecord> records;  ///< Loop to main thread; 16 s deep.
   std::uint64_t dropped_records = 0;  ///< Loop thread's; read after the pot returns.
 };
@@ -79,6 +81,7 @@ class WheelLoop {
   void apply(const command::Detach& wish) noexcept;
   void apply(const command::Lead& wish) noexcept;
   void apply(const command::Take& wish) noexcept;
+  void apply(const command::HoldCoil& wish) noexcept { coil_ = wish.on; }
   void apply(const command::TurnWheel& wish) noexcept { asked_.wheel_speed = wish.rad_per_s; }
   void apply(const command::Water& wish) noexcept { asked_.water = wish.held; }
   void apply(const command::Renew&) noexcept { asked_.renew = true; }
@@ -106,8 +109,9 @@ class WheelLoop {
   std::size_t attached_ = 0;
   std::array<device::HandDevice*, kMaxHands> leads_{};  ///< The devices that led in the last tick.
   std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
-  double off_ = 0;  ///< s for which all hands stay off freshly laid clay.
-  Hands asked_;     ///< Wheel, water and the one-tick requests; hands come from the devices.
+  bool coil_ = false;  ///< Hand 0 holds a coil.
+  double off_ = 0;     ///< s for which all hands stay off freshly laid clay.
+  Hands asked_;        ///< Wheel, water and the one-tick requests; hands come from the devices.
   LeatherWork leather_;
   bool paused_ = false;
   bool shown_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/clay/clay_view.h"
+#include "engine/scene/coil_view.h"
 #include "kiosk/wheel/loop/status.h"
 
 namespace onggi::loop {
@@ -9,6 +10,7 @@ namespace onggi::loop {
 /// score and keepsake read only this about the clay and the hands. Main thread only.
 struct WheelView {
   ClayView clay;
+  CoilOnRim coil;     ///< Diameter 0: the pot is not built of coils.
   LoopStatus status;  ///< In the same state as the clay's rows, or newer.
 };
 

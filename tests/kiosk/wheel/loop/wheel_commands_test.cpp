@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <thread>
 
@@ -113,6 +114,86 @@ TEST(Potter, RowsThatAreWetAreSeenWetAndAPotWithoutSuchRowsHasNone) {
   rows.host.advance(20000);
   rows.host.collect();
   EXPECT_LT(rows.host.view().clay.wet[32], 0.8f * before) << "it dries";
+}
+
+/// A disc to build on, and a hand that rests a coil on its edge.
+SceneDef floor_to_build_on() {
+  SceneDef def = small_scene();
+  def.clay.rows = 10;
+  def.clay.height = def.clay.floor_thickness = 0.010;
+  def.wheel.acceleration = 1000.0;
+  def.volume.emplace();
+  def.building.emplace();
+  return def;
+}
+void rest_a_coil(SteppedWheel& host) {
+  const SceneDef def = floor_to_build_on();
+  HandInput hand;
+  hand.active = true;
+  const ClayView& clay = host.view().clay;
+  hand.position = {0.0, clay.rim_height() + 0.49 * def.building->coil,
+                   def.clay.outer_radius - 0.5 * def.building->coil};
+  host.hand(0, hand);
+}
+std::size_t places_laid(const SteppedWheel& host) {
+  const auto& centre = host.view().coil.centre;
+  return centre.size() - static_cast<std::size_t>(std::ranges::count(centre, 0.0f));
+}
+
+TEST(Potter, HalfARingOfCoilIsSeenWhereItLiesAndIsClayOnceItIsClosed) {
+  Stepped wheel(floor_to_build_on());
+  SteppedWheel& host = wheel.host;
+  EXPECT_EQ(host.view().coil.diameter, 0.013);
+  host.hold_coil(true);
+  host.wheel(2.5);
+  rest_a_coil(host);
+  host.advance(static_cast<int>(1000 * 3.14159 / 2.5));
+  host.collect();
+  ASSERT_EQ(host.view().coil.centre.size(), 128u);
+  EXPECT_NEAR(static_cast<double>(places_laid(host)), 64.0, 4.0) << "half a turn";
+  EXPECT_NEAR(host.view().coil.height, 0.010 + 0.0065, 1e-6);
+  // The hand is at a quarter of a turn (z), and what it laid has turned on from there.
+  const double here = 0.25 - host.view().clay.angle / (2 * 3.14159265);
+  const auto centre = [&](double turn) {
+    const double share = turn - std::floor(turn);
+    return host.view().coil.centre[static_cast<std::size_t>(share * 128) % 128];
+  };
+  EXPECT_NEAR(centre(here + 0.05), 0.0485f, 0.003f) << "just laid";
+  EXPECT_NEAR(centre(here + 0.45), 0.0485f, 0.003f);
+  EXPECT_EQ(centre(here - 0.05), 0.0f) << "not yet";
+  const double before = host.view().clay.rim_height();
+  host.advance(1600);
+  host.collect();
+  EXPECT_TRUE(host.refresh_every_row());
+  EXPECT_GT(host.view().clay.rim_height(), before + 0.010) << "the ring is closed";
+}
+
+TEST(Potter, ACoilIsPutAwayByTheHandAndByANewPot) {
+  Stepped wheel(floor_to_build_on());
+  SteppedWheel& host = wheel.host;
+  host.wheel(2.5);
+  for (const bool held : {false, true, false}) {
+    host.hold_coil(held);
+    rest_a_coil(host);
+    host.advance(100);
+    host.collect();
+    EXPECT_EQ(places_laid(host) > 0, held);
+    host.start(pot(floor_to_build_on()));
+    host.advance(100);
+    host.collect();
+    EXPECT_EQ(places_laid(host), 0u) << "nothing lies on a new floor, and no coil is held";
+  }
+}
+
+TEST(Potter, APotThatIsNotBuiltHasNoCoil) {
+  Stepped wheel(small_scene());
+  wheel.host.hold_coil(true);
+  wheel.host.hand(0, press_at(small_scene(), 0.001));
+  wheel.host.advance(200);
+  wheel.host.collect();
+  EXPECT_EQ(wheel.host.view().coil.diameter, 0.0);
+  EXPECT_TRUE(wheel.host.view().coil.centre.empty());
+  EXPECT_TRUE(wheel.host.status().feedback.hand[0].contact) << "its tool works as ever";
 }
 
 TEST(Potter, ARowThatToreIsSeenTornAndHealsByGoingBack) {
