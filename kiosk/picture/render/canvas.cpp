@@ -190,8 +190,9 @@ void Canvas::paint(const Painters& with, const view::Frame& frame, const Quality
     view::PotView& pot = *frame_.pot;
     if (quality.samples == 0) pot.cut_away = stage.shown_opening(pot, scale);
     stage.prepare(pot, quality);
-    solid_ = reach_of(pot, stage.clay().height(), stage.clay().max_radius(), frame.width,
-                      frame.height, Reach::solid);
+    const double coil = pot.coil.centre.empty() ? 0.0 : pot.coil.diameter;
+    solid_ = reach_of(pot, stage.clay().height() + coil, stage.clay().max_radius() + coil,
+                      frame.width, frame.height, Reach::solid);
     if (pot.beside) solid_ = around(solid_, reach_of_vessel(stage, frame_));
     paint_ground(stage, pot);
     // Nothing outside can change, so nothing outside is cleared or composed.

@@ -11,8 +11,8 @@ Result<Program> compiled(const ClayPrograms::Which& of) {
                             (of.read ? "#define READ\n" : "") +
                             (of.decorated ? "#define DECORATED\n" : "");
   return Program::create(
-      "clay", {which.c_str(), k_common_glsl, k_light_glsl, of.decorated ? k_coat_glsl : "",
-               k_clay_glsl, of.torn ? k_torn_glsl : ""});
+      "clay", {which.c_str(), k_common_glsl, k_light_glsl, k_bare_clay_glsl,
+               of.decorated ? k_coat_glsl : "", k_clay_glsl, of.torn ? k_torn_glsl : ""});
 }
 
 }  // namespace

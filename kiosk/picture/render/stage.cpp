@@ -118,6 +118,7 @@ Result<std::unique_ptr<Stage>> Stage::create() {
   keep(stage->solid_program_,
        Program::create("solid", {k_common_glsl, k_light_glsl, k_solid_glsl}));
   keep(stage->tools_, ToolPainter::create());
+  keep(stage->coil_, CoilPainter::create());
   keep(stage->soft_edges_, SoftEdges::create());
   keep(stage->edges_, Edges::create());
   keep(stage->backdrop_, Backdrop::create());
@@ -198,6 +199,7 @@ void Stage::draw_pot(const view::PotView& pot, const Quality& quality, double sc
     if (soft) soft_edges_.begin();
     draw_clay(pot, clip, pixel, soft, quality.samples > 0);
     if (soft) soft_edges_.end();
+    draw_coil(pot, clip);
   }
   // 2. The visible wheel head, and the pot mirrored in it.
   if (pot.wheel) {
@@ -417,6 +419,15 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
   section.set("ink", whole_frame ? kInk : 0.0f);
   sections_[coarse].draw_times(2);
   glEnable(GL_CULL_FACE);
+}
+
+void Stage::draw_coil(const view::PotView& pot, const glm::mat4& clip) {
+  const float open = opening_of(pot);
+  coil_->draw(pot, static_cast<float>(clay_.height()), {front_of(pot.camera) - open, open}, clip,
+              [&](const Program& program) {
+                set_light(program, pot.camera, clay_levels_);
+                skin_.set(program, pot, kWetRows);
+              });
 }
 
 void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {

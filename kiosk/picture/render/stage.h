@@ -14,6 +14,7 @@
 #include "kiosk/picture/render/clay_skin.h"
 #include "kiosk/picture/render/clay_surface.h"
 #include "kiosk/picture/render/coat_texture.h"
+#include "kiosk/picture/render/coil_painter.h"
 #include "kiosk/picture/render/edges.h"
 #include "kiosk/picture/render/gl.h"
 #include "kiosk/picture/render/mesh_outline.h"
@@ -97,6 +98,7 @@ class Stage {
   DrawnWall drawn_wall(const view::PotView& pot, float pixel, bool fine = false) const;
   void draw_clay(const view::PotView& pot, const glm::mat4& clip, float pixel, bool soft,
                  bool whole_frame);
+  void draw_coil(const view::PotView& pot, const glm::mat4& clip);
   void draw_reflection(const view::PotView& pot, const glm::mat4& clip);
   void draw_model(const Model& model, const Texture& levels, const view::Camera& camera,
                   double turned);
@@ -113,6 +115,7 @@ class Stage {
   CoatTexture coat_;
   ClayPrograms clay_programs_;
   std::unique_ptr<ToolPainter> tools_;
+  std::unique_ptr<CoilPainter> coil_;
   std::unique_ptr<Backdrop> backdrop_;
   SoftEdges soft_edges_;
   std::unique_ptr<Edges> edges_;

@@ -74,6 +74,14 @@ Extent extent_of(const Camera& camera, double height, double radius) {
   return e;
 }
 
+// From the eye; not a unit vector.
+Vec3 ray_through(const Camera& camera, float px, float py) {
+  Vec3 right, up, back;
+  camera.basis(right, up, back);
+  const double f = pixels_per_slope(camera);
+  return right * ((px - camera.centre_x) / f) + up * ((camera.centre_y - py) / f) - back;
+}
+
 }  // namespace
 
 Vec3 Camera::eye() const {
@@ -97,8 +105,7 @@ std::optional<std::pair<float, float>> Camera::project(Vec3 p) const {
 Vec2 Camera::on_axis_plane(float px, float py) const {
   Vec3 right, up, back;
   basis(right, up, back);
-  const double f = pixels_per_slope(*this);
-  const Vec3 ray = right * ((px - centre_x) / f) + up * ((centre_y - py) / f) - back;
+  const Vec3 ray = ray_through(*this, px, py);
   // The plane contains the axis and `right`; its normal is level and faces the eye.
   const Vec3 normal = {std::sin(azimuth), 0.0, std::cos(azimuth)};
   const Vec3 from = target + back * distance;
@@ -107,6 +114,12 @@ Vec2 Camera::on_axis_plane(float px, float py) const {
   const double t = along < -1e-9 ? -dot(from, normal) / along : distance;
   const Vec3 hit = from + ray * t;
   return {dot(hit, right), hit.y};
+}
+
+std::optional<Vec3> Camera::on_level(float px, float py, double level) const {
+  const Vec3 ray = ray_through(*this, px, py), from = eye();
+  const double t = (level - from.y) / ray.y;
+  return std::isfinite(t) && t > 0.0 ? std::optional(from + ray * t) : std::nullopt;
 }
 
 void Camera::matrices(float view[16], float projection[16]) const {

@@ -28,6 +28,8 @@ struct Camera {
   /// The point on the vertical plane through the axis that faces the camera, under a pixel:
   /// x = signed distance right of the axis, y = height, metres.
   Vec2 on_axis_plane(float px, float py) const;
+  /// The point at the height `level` (m), under a pixel; nothing if the eye looks past it.
+  std::optional<Vec3> on_level(float px, float py, double level) const;
   /// Column-major view and projection for OpenGL clip space (the shift included).
   void matrices(float view[16], float projection[16]) const;
 };

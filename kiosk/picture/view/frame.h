@@ -11,6 +11,7 @@
 
 #include "engine/math/vec.h"
 #include "engine/profile/profile.h"
+#include "engine/scene/coil_view.h"
 #include "engine/scene/hand_view.h"
 #include "kiosk/collection/content/glaze.h"
 #include "kiosk/picture/view/camera.h"
@@ -114,6 +115,7 @@ struct VesselView {
 /// The pot in its studio. Its shape is the ClayView that the renderer was given.
 struct PotView {
   Camera camera;
+  CoilOnRim coil;          ///< What is laid of a ring of coil.
   double wheel_angle = 0;  ///< Of the wheel head, rad,
   double clay_angle = 0;   ///< and of the clay on it: a pot that was cut off stands still.
   double wetness = 0;      ///< Mean, 0..1.

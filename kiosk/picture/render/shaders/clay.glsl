@@ -20,7 +20,6 @@ uniform vec2 unrolled;   // size of the lip in its own picture (edges.h); 0: in 
 uniform float share;     // the drawn share of the outer wall's height, from the foot
 uniform float wetness, opened;
 uniform float ink;       // width of the line round the section, m
-uniform vec3 dry_color, wet_color;
 #if SKIN == 1
 uniform sampler2D wet_rows;  // by share of the height
 uniform float wet_clay;      // 0: of the slip alone
@@ -175,11 +174,6 @@ vec3 normal_of(RADII radius, float u, float t, float low, float side, out float 
   return side * normalize(vec3(level.x, -slope_y, level.y));
 }
 
-struct Surface {
-  vec3 albedo;
-  float roughness, coat;
-};
-
 #ifdef DECORATED
 // Slip glistens while it is `wet`, and dries matt and paler; a stone polishes it.
 Surface decorated(Surface s, float wet) {
@@ -199,18 +193,6 @@ struct Tear {
 };
 Tear tear_at(float u, float low, float high, float slope);  // torn.glsl
 #endif
-
-// Wet clay is darker and shines under an even film of water, which hides its grain. Ridges dry
-// first, so the throwing lines show while the film goes.
-Surface of_clay(float wet, float groove, float fleck) {
-  wet = clamp(wet + 0.7 * groove * wet * (1.0 - wet), 0.0, 1.0);
-  float film = smoothstep(0.0, 0.8, wet), grain_ = fleck * (1.0 - 0.85 * film);
-  Surface s;
-  s.albedo = mix(dry_color, wet_color, wet) * (1.0 + 0.16 * grain_) * (1.0 - 0.16 * groove);
-  s.roughness = mix(0.78, 0.25, film);
-  s.coat = mix(0.012, 0.045, film);
-  return s;
-}
 
 #if SKIN >= 2
 // A glaze is a coloured glass that runs (Beer-Lambert). It is thick in grooves and towards the

@@ -46,6 +46,28 @@ TEST(Camera, APixelGoesToTheAxisPlaneAndBack) {
   }));
 }
 
+TEST(Camera, APixelOnALevelIsFoundAgain) {
+  EXPECT_TRUE(rc::check([] {
+    const Camera camera = some_camera();
+    const Vec3 there{*rc::gen::inRange(-100, 100) * 0.001, *rc::gen::inRange(0, 100) * 0.001,
+                     *rc::gen::inRange(-100, 100) * 0.001};
+    const auto p = camera.project(there);
+    RC_ASSERT(p.has_value());
+    const auto found = camera.on_level(p->first, p->second, there.y);
+    RC_PRE(camera.elevation > 0.05 && camera.eye().y > there.y + 0.01);
+    RC_ASSERT(found.has_value());
+    RC_ASSERT(length(*found - there) < 1e-4);
+  }));
+}
+
+TEST(Camera, NoPixelAboveTheHorizonLiesOnALevel) {
+  Camera camera;
+  EXPECT_FALSE(camera.on_level(640, -5000, 0.1));
+  EXPECT_TRUE(camera.on_level(640, 700, 0.1));
+  camera.elevation = 0.0;
+  EXPECT_FALSE(camera.on_level(640, 360, 0.1)) << "the level itself";
+}
+
 TEST(Camera, MatricesAgreeWithProject) {
   EXPECT_TRUE(rc::check([] {
     const Camera camera = some_camera();
