@@ -40,13 +40,14 @@ void read_title(Table& root, const std::vector<std::string>& languages,
   for (const std::string& code : languages) out.try_emplace(code, other);
 }
 
-void read_vessel_scenes(Table table, const fs::path& folder, Exhibit& exhibit) {
+void read_scenes(Table table, const fs::path& folder, const char* usual,
+                 std::map<std::string, fs::path>& scenes) {
   std::error_code error;
   for (const std::string& vessel : table.keys()) {
-    fs::path scene = "scenes/master.toml";
+    fs::path scene = usual;
     if (!read_path(table, vessel, folder, scene)) continue;
     if (fs::is_regular_file(scene, error))
-      exhibit.vessel_scenes[vessel] = scene;
+      scenes[vessel] = scene;
     else
       table.complain(vessel, "There is no scene " + scene.string() + ".",
                      "Write " + vessel + " = \"FILE\" with one of the files in scenes/.");
@@ -80,7 +81,8 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_listed(root, folder, language_folder, read);
   // Tables whose keys are languages, vessels and days.
   read_title(root, exhibit.languages, exhibit.title);
-  read_vessel_scenes(root.child("vessel_scenes"), folder, exhibit);
+  read_scenes(root.child("vessel_scenes"), folder, "scenes/master.toml", exhibit.vessel_scenes);
+  read_scenes(root.child("built_scenes"), folder, "scenes/built.toml", exhibit.built_scenes);
   read_hours(root.child("hours"), exhibit.hours);
   check_keepsake_place(root.child("keepsake"), exhibit, language_folder);
   root.finish();

@@ -38,6 +38,8 @@ struct Exhibit {
   std::filesystem::path scene = "scenes/first_touch.toml";  ///< TOML of the scene.
   /// By a vessel's id on the shelf: the scene for it, instead of `scene`.
   std::map<std::string, std::filesystem::path> vessel_scenes;
+  /// Likewise: a scene in which visitors may build the vessel of coils, and are offered that first.
+  std::map<std::string, std::filesystem::path> built_scenes;
   std::filesystem::path rubric_file = "rubric.toml";  ///< TOML of the rubric; may be absent.
   Rubric rubric;                                      ///< Its values, or the defaults.
   std::filesystem::path glazes =

@@ -17,6 +17,7 @@ namespace onggi::exhibit {
 namespace {
 
 constexpr double kAway = 0.5;          // m from the axis and the wheel: every tool has space there
+constexpr const char* kCoil = "coil";  // in the tray
 constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
 
 }  // namespace
@@ -24,11 +25,13 @@ constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
 Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attract_scripts) {
   take(exhibit, exhibits_, exhibit.scene);
   bool fires = exhibits_.kiln.has_value();
-  for (const auto& [id, file] : exhibit.vessel_scenes) {
-    SceneDef& own = vessels_[id];
-    take(exhibit, own, file);
-    fires = fires || own.kiln;
-  }
+  for (const auto& [files, own] :
+       {std::pair{&exhibit.vessel_scenes, &vessels_}, {&exhibit.built_scenes, &built_}})
+    for (const auto& [id, file] : *files) {
+      SceneDef& def = (*own)[id];
+      take(exhibit, def, file);
+      fires = fires || def.kiln;
+    }
   if (exhibit.decorate && exhibit.ways) {
     WaysRead ways = read_ways(*exhibit.ways);
     files::log_problems(ways.problems);
@@ -123,8 +126,13 @@ const decoration::Way* Scenes::way_of(const content::Vessel& vessel) const {
   return found.way;
 }
 
-screens::SceneForVisitor Scenes::wheel_of(const content::Vessel& vessel) const {
-  const SceneDef& def = of(vessel.id);
+const SceneDef* Scenes::built(const std::string& id) const {
+  const auto own = built_.find(id);
+  return own != built_.end() && own->second.building ? &own->second : nullptr;
+}
+
+screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
+                                             const content::Vessel& vessel) const {
   screens::SceneForVisitor wheel;
   wheel.way = way_of(vessel);
   wheel.max_speed = def.wheel.max_speed;
@@ -160,6 +168,10 @@ screens::SceneForVisitor Scenes::wheel_of(const content::Vessel& vessel) const {
   std::stable_sort(wheel.tools.begin(), wheel.tools.end(), [](const auto& a, const auto& b) {
     return find_tool_shape(a.name)->tray < find_tool_shape(b.name)->tray;
   });
+  if (def.building) {
+    wheel.coil = def.building->coil;
+    wheel.tools.insert(wheel.tools.begin(), {0, kCoil, 0.5 * *wheel.coil, 0.5 * *wheel.coil});
+  }
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);
         info != nullptr && (info->needs.target || shows_its_effect(*info, def)))
@@ -186,11 +198,14 @@ settings::Problems unknown_names(const settings::Exhibit& exhibit,
       if (const std::string& id = (*listed)[n]; std::ranges::find(ids, id) == ids.end())
         root.complain_at(key, n, "There is no vessel \"" + id + "\" on the shelf.",
                          remedy(id, "Write the name of its folder on the shelf, or remove it."));
-  auto scenes = root.child("vessel_scenes");
-  for (const auto& [id, scene] : exhibit.vessel_scenes) {
-    if (std::ranges::find(ids, id) != ids.end()) continue;
-    scenes.complain(id, "There is no vessel \"" + id + "\" on the shelf.",
-                    remedy(id, "Write the name of its folder on the shelf, or remove the line."));
+  for (const auto& [key, named] : {std::pair{"vessel_scenes", &exhibit.vessel_scenes},
+                                   {"built_scenes", &exhibit.built_scenes}}) {
+    auto scenes = root.child(key);
+    for (const auto& [id, scene] : *named) {
+      if (std::ranges::find(ids, id) != ids.end()) continue;
+      scenes.complain(id, "There is no vessel \"" + id + "\" on the shelf.",
+                      remedy(id, "Write the name of its folder on the shelf, or remove the line."));
+    }
   }
   std::vector<std::string> shown;  // "follow", and scripts that show an effect
   for (const ScriptInfo& script : scripts())

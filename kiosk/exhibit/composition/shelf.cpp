@@ -66,7 +66,9 @@ void Shelf::take(double now) {
       const Profile& own = card.vessel->extracted.profile;
       card.scale = workspace_scale(own);
       card.target = scaled(own, card.scale);
-      card.wheel = scenes_.wheel_of(*card.vessel);
+      card.wheel = scenes_.for_visitor(scenes_.of(card.vessel->id), *card.vessel);
+      if (const SceneDef* built = scenes_.built(card.vessel->id))
+        card.built = scenes_.for_visitor(*built, *card.vessel);
       cards_.push_back(std::move(card));
     }
   }

@@ -17,6 +17,8 @@ VisitCounter::VisitCounter(const fs::path& file, const settings::Exhibit& exhibi
       store_(file, exhibit.store.months, store::StoreThread::kDaily, fetched) {
   for (const auto& [vessel, scene] : exhibit.vessel_scenes)
     vessel_scenes_[vessel] = scene.stem().string();
+  for (const auto& [vessel, scene] : exhibit.built_scenes)
+    built_scenes_[vessel] = scene.stem().string();
 }
 
 void VisitCounter::finish() {
@@ -25,10 +27,11 @@ void VisitCounter::finish() {
   store_.end();
 }
 
-std::string VisitCounter::scene_of(const std::string& vessel) const {
+std::string VisitCounter::scene_of(const std::string& vessel, bool built) const {
   if (vessel.empty()) return {};
-  const auto own = vessel_scenes_.find(vessel);
-  return own == vessel_scenes_.end() ? scene_ : own->second;
+  const auto& scenes = built ? built_scenes_ : vessel_scenes_;
+  const auto own = scenes.find(vessel);
+  return own == scenes.end() ? scene_ : own->second;
 }
 
 void VisitCounter::visit_over(const screens::VisitNotes& notes, const std::string& vessel,
@@ -40,7 +43,7 @@ void VisitCounter::visit_over(const screens::VisitNotes& notes, const std::strin
   visit.start = start;
   visit.vessel = vessel;
   visit.mission = notes.mission;
-  visit.scene = scene_of(vessel);
+  visit.scene = scene_of(vessel, notes.built);
   visit.language = notes.language;
   visit.way = notes.way;
   visit.reached = screens::name_of(notes.reached);

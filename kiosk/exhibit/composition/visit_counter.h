@@ -32,10 +32,10 @@ class VisitCounter {
   std::vector<Problem> remarks() { return store_.remarks(); }
 
  private:
-  std::string scene_of(const std::string& vessel) const;
+  std::string scene_of(const std::string& vessel, bool built) const;
 
   std::string scene_;
-  std::map<std::string, std::string> vessel_scenes_;
+  std::map<std::string, std::string> vessel_scenes_, built_scenes_;
   std::map<int, bool> saved_;                  ///< By ticket: whether the keepsake was saved.
   std::map<int, store::VisitRecord> waiting_;  ///< By ticket: visits that are over.
   store::StoreThread store_;

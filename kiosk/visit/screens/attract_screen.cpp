@@ -95,6 +95,7 @@ class Attract final : public Screen {
   std::optional<view::PotView> pot(const Page& page) override {
     if (!asked_ || shows_ != Shows::pot) return std::nullopt;
     view::PotView pot = picture_->view(desk, page);
+    pot.coil = desk.world.wheel->coil;
     if (done_at_ >= 0 && !desk.still())
       pot.opacity *= std::clamp((done_at_ + kRest - desk.now) / 0.5, 0.0, 1.0);
     return pot;

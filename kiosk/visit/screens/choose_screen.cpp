@@ -25,7 +25,8 @@ class Choose final : public Screen, private CardShelf::Cards {
   }
   ScreenId id() const override { return ScreenId::choose; }
   std::string first_focus() const override {
-    return !open() ? control(shelf_.in_front()) : "choose.throw";
+    if (!open()) return control(shelf_.in_front());
+    return label_.offers_to_build() ? "choose.build" : "choose.throw";
   }
 
   void update(double dt) override { shelf_.update(dt); }
@@ -40,7 +41,8 @@ class Choose final : public Screen, private CardShelf::Cards {
         label_.open(*place - desk.missions());
     } else if (label_.press(control)) {
       return;
-    } else if (control == "choose.throw") {
+    } else if (control == "choose.throw" || control == "choose.build") {
+      desk.built = control == "choose.build";
       desk.card = label_.card();
       desk.mission = label_.mission();
       desk.start_pot(label_.card(), false);

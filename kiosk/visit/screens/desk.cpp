@@ -14,10 +14,12 @@ void Desk::forget() {
   if (counted) {
     counted->language = words().code();
     counted->card = card;
+    counted->built = built;
     if (const settings::Mission* mission_chosen = on()) counted->mission = mission_chosen->id;
   }
   language = 0;
   card = mission = -1;
+  built = false;
   offered.reset();
   figures.reset();
   touched = false;
@@ -58,7 +60,8 @@ content::Label Desk::label(int index) const {
 const SceneForVisitor& Desk::wheel() const {
   static const SceneForVisitor kNone;
   const ShelfCard* shelf = shelf_card(card != -1 ? card : attract_card);
-  return shelf != nullptr ? shelf->wheel : kNone;
+  if (shelf == nullptr) return kNone;
+  return built && card != -1 && shelf->built ? *shelf->built : shelf->wheel;
 }
 
 int Desk::missions() const {
@@ -175,7 +178,7 @@ void Desk::keep_pot() {
 }
 
 void Desk::start_pot(int index, bool scripted, const std::string& script) {
-  requests.emplace_back(StartPot{index, scripted, script});
+  requests.emplace_back(StartPot{index, scripted, script, built && !scripted});
   if (!scripted) notes.pot();
   figures.reset();
   fresh_clay();

@@ -44,6 +44,7 @@ class Desk {
   /// About the visitor.
   std::size_t language = 0;
   int card = -1;                          ///< An index on the shelf, or own_card().
+  bool built = false;                     ///< The vessel is built of coils (ShelfCard::built).
   int mission = -1;                       ///< Index in the world's missions, if one was chosen.
   std::optional<LabelAt> offered;         ///< The shelf opens with this label.
   std::optional<score::Figures> figures;  ///< Current figures of a pot that answers a description.

@@ -17,7 +17,8 @@ namespace {
 constexpr const char* kPlaces[] = {"place.foot", "place.low",  "place.belly", "place.middle",
                                    "place.neck", "place.high", "place.rim"};
 
-constexpr double kFromEnds = 0.04;  // an arrow this near foot or rim points at nothing
+constexpr double kMostOfARing = 0.6;  // coils
+constexpr double kFromEnds = 0.04;    // an arrow this near foot or rim points at nothing
 
 /// Remarks of the score without a place on the wall, as they are said at the wheel.
 constexpr std::pair<const char*, const char*> kWithoutPlace[] = {
@@ -63,11 +64,19 @@ std::optional<Hint> hint_of(const score::Remark& remark, const HintInput& in) {
 
 }  // namespace
 
+bool lacks_a_ring(double height, double target, double coil) {
+  return height + kMostOfARing * coil < target;
+}
+
 Hint next_hint(const HintInput& in) {
   if (!in.wheel_turns) return {"hint.wheel_still", {}, {}};
   if (in.target == nullptr || in.made == nullptr || in.made->points.empty())
     return {"hint.begin", {}, {}};
   if (in.dry_too_long) return {"hint.dry", {}, {}};
+  // The wall comes first: what is not there yet cannot be shaped.
+  if (in.coil > 0 && lacks_a_ring(in.made->height(), in.target->height(), in.coil))
+    return {in.coil_held ? "hint.lay_coil" : "hint.take_coil", {}, {}};
+  if (in.coil_held) return {"hint.high_enough", {}, {}};
   if (!in.described.empty()) return {in.described, {}, {}};
   if (in.score == nullptr) return {"hint.begin", {}, {}};
   for (const score::Remark& remark : in.score->try_next)
@@ -85,6 +94,9 @@ std::vector<std::string> all_hints(const Desk& desk) {
   std::vector<std::string> all;
   for (const char* key : {"hint.wheel_still", "hint.begin", "hint.dry", "hint.close"})
     all.push_back(desk.say(key));
+  if (desk.wheel().coil)
+    for (const char* key : {"hint.lay_coil", "hint.take_coil", "hint.high_enough"})
+      all.push_back(desk.say(key));
   for (const auto& said : kWithoutPlace) all.push_back(desk.say(said.second));
   if (desk.described() != nullptr)
     for (const std::string& key : MeasuredPot::hints()) all.push_back(desk.say(key));

@@ -19,8 +19,13 @@ struct HintInput {
   bool touched = false;       ///< The visitor has touched this pot.
   bool dry_too_long = false;  ///< The clay was rubbed too long without water.
   double tool_radius = 0.008;
+  double coil = 0;          ///< Its diameter where the pot is built of coils, m,
+  bool coil_held = false;   ///< and whether one is in the hand.
   std::string described{};  ///< The hint for wanted figures, if there is no outline to copy.
 };
+
+/// A pot of `height` is too low for its vessel by most of a ring of coil, m.
+bool lacks_a_ring(double height, double target, double coil);
 
 /// The most useful hint for the current state: of what the result would say to try next, the first
 /// that hands can do now. Pure.

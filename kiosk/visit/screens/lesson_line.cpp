@@ -57,7 +57,8 @@ bool asked_for(DoneWhen what, const Profile* target, const Profile& made) {
 }  // namespace
 
 const LessonStep* LessonLine::shown(const Desk& desk) {
-  // It needs a visible outline and both hands of one visitor.
+  // It is about throwing. It needs a visible outline and both hands of one visitor.
+  if (desk.wheel().coil) return nullptr;
   if (desk.on() != nullptr && desk.on()->kind != settings::Mission::Kind::today) return nullptr;
   const auto* lesson = desk.world.lesson;
   return lesson != nullptr && desk.lesson_step < lesson->size() ? &(*lesson)[desk.lesson_step]

@@ -72,7 +72,7 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
         true, now.water);
     // Reserve its place, unless the exhibit never shows it.
     if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
-      add("throw.show", "throw.show", now.show.look, !now.show.id.empty());
+      add("throw.show", now.coil ? "throw.lay" : "throw.show", now.show.look, !now.show.id.empty());
   }
   add("throw.done", "throw.done", now.onward ? Look::solid : Look::outline, true);
   if (!happened)

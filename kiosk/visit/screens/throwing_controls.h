@@ -34,6 +34,7 @@ struct ThrowingControls {
   bool skip = false;  ///< A lesson can be skipped.
   Drawer drawer = Drawer::closed;
   std::size_t held = 0;  ///< Index in the tray: 0 is the hands.
+  bool coil = false;     ///< A coil is held: "Show me" lays a ring of it.
   Mishap mishap = Mishap::none;
   const StrokeBoard* board = nullptr;  ///< Strokes by buttons, and the questions about them.
   std::vector<PartOff> parts = {};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kiosk/visit/screens/coil_hand.h"
 #include "kiosk/visit/screens/hint.h"
 #include "kiosk/visit/screens/lesson_line.h"
 #include "kiosk/visit/screens/measured_pot.h"
@@ -34,7 +35,8 @@ namespace {
 constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
 // Opacity of the pot: faint words over black clay keep a contrast of 4.5.
 constexpr double kBehindTools = 0.05;
-constexpr int kGoodPot = 4;  // stars: from here on nothing need be corrected
+constexpr std::size_t kCoilTool = 1;  // its index in the tray, where there is one
+constexpr int kGoodPot = 4;           // stars: from here on nothing need be corrected
 
 class Throwing final : public Screen {
  public:
@@ -58,6 +60,7 @@ class Throwing final : public Screen {
       desk.world.wheel_commands->pause(false);
       speed_.send(desk);
       desk.world.wheel_commands->water(water_.wet());
+      if (wants_coil() || coil_) take_up(wants_coil() ? kCoilTool : 0);
     }
     if (done_) return finish();
     // The pot is cut off, so the throwing is over.
@@ -68,7 +71,7 @@ class Throwing final : public Screen {
     const Profile* target = card != nullptr ? &card->target : nullptr;
     inside_until_ = hands_.inside() ? desk.now + kLookIn : inside_until_;
     picture_.update(desk, dt, target, cut_chosen_ ? cut_ : cut_ || desk.now < inside_until_,
-                    hands_.grabbed());
+                    grabbed());
 
     std::array<bool, kMaxHands> contacts{};
     for (std::size_t n = 0; n < contacts.size(); ++n)
@@ -77,6 +80,10 @@ class Throwing final : public Screen {
     if (hands_.active() && desk.pot_ready()) {
       show_.draw(dt, hands_.lead(), desk.world.wheel->clay);
       hands_.follow(desk.world.wheel->clay, dt, contacts);
+      send_hand();
+    }
+    if (coil_ && coil_->active() && desk.pot_ready()) {
+      coil_->follow(desk.world.wheel->clay);
       send_hand();
     }
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
@@ -88,14 +95,16 @@ class Throwing final : public Screen {
     look_how_good(target);
     // Say nothing about the previous pot.
     if (desk.pot_ready())
-      hint_.update(desk.now, {target, &picture_.made(), score_ ? &*score_ : nullptr,
-                              speed_.asked() > 0.5, grip_, desk.touched, water_.asked_for(),
-                              desk.wheel().tool_radius, MeasuredPot::hint(desk)});
+      hint_.update(desk.now,
+                   {target, &picture_.made(), score_ ? &*score_ : nullptr, speed_.asked() > 0.5,
+                    grip_, desk.touched, water_.asked_for(), desk.wheel().tool_radius,
+                    desk.wheel().coil.value_or(0.0), coil_.has_value(), MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
     if (dark()) return std::nullopt;
     view::PotView pot = picture_.view(desk, page);
+    if (desk.pot_ready()) pot.coil = desk.world.wheel->coil;
     if (drawer_ == Drawer::tools) pot.opacity *= kBehindTools;
     return pot;
   }
@@ -109,7 +118,7 @@ class Throwing final : public Screen {
     std::vector<std::string> all;
     if (mission != nullptr && mission->kind != settings::Mission::Kind::today)
       all.push_back(mission->about_in(desk.words().code()));
-    if (!desk.two_hands()) all.push_back(desk.say("help.throw"));
+    if (!desk.two_hands()) all.push_back(desk.say(desk.wheel().coil ? "help.build" : "help.throw"));
     if (!dark() && desk.described() == nullptr) all.push_back(desk.say("help.throw_line"));
     return all;
   }
@@ -135,6 +144,7 @@ class Throwing final : public Screen {
                                whole && LessonLine::shown(desk) != nullptr,
                                drawer_,
                                held_,
+                               coil_.has_value(),
                                mishap_.now(),
                                StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
                                parts(),
@@ -147,7 +157,7 @@ class Throwing final : public Screen {
         card != nullptr && desk.pot_ready() && !dark() && drawer_ != Drawer::tools) {
       if (desk.described() == nullptr) draw_ghost(page, camera_, card->target, picture_.made());
       if (const auto& press = hint_.shown().press;
-          press && !hands_.grabbed() && whole && LessonLine::shown(desk) == nullptr)
+          press && !grabbed() && whole && LessonLine::shown(desk) == nullptr)
         draw_press(page, camera_, card->target, press->height, press->inward);
     }
     lay_out_throwing(page, desk, now, show_, hint_.shown());
@@ -174,6 +184,8 @@ class Throwing final : public Screen {
       let_go();
       clay_.undone(desk);
       mishap_.go_back(desk);
+    } else if (control == "throw.show" && coil_) {
+      lay_a_ring();
     } else if (control == "throw.show") {
       if (held_ > 0) take_up(0);
       show_pot();
@@ -197,7 +209,7 @@ class Throwing final : public Screen {
   }
 
   void hold(const std::string& control) override {
-    if (control == "throw.show") {
+    if (control == "throw.show" && !coil_) {
       if (held_ > 0) take_up(0);
       if (const Profile* target = aim()) show_.hold(desk, *target, key_sign(), hands_.lead());
       send_hand();
@@ -212,15 +224,14 @@ class Throwing final : public Screen {
       open_drawer(Drawer::closed);
     } else if (menu_) {
       menu_ = false;
-    } else if (hands_.active() && !hands_.grabbed()) {
+    } else if (active() && !grabbed()) {
       let_go();
     } else {
       desk.go(ScreenId::choose);
     }
   }
   bool leaves_pot(const std::string& control) const override {
-    return control == "back" && drawer_ == Drawer::closed && !menu_ &&
-           (!hands_.active() || hands_.grabbed());
+    return control == "back" && drawer_ == Drawer::closed && !menu_ && (!active() || grabbed());
   }
 
   void pointer(const InputEvent& e, const Page& page) override {
@@ -238,6 +249,10 @@ class Throwing final : public Screen {
       hands_.two() ? show_.stop(hands_.lead()) : let_go();
     }
     if (show_.showing()) return;
+    if (coil_) {
+      if (coil_->pointer(e, camera_, desk.world.wheel->clay)) send_hand();
+      return;
+    }
     const Vec2 at = camera_.on_axis_plane(e.x, e.y);
     if (hands_.pointer(e, at, desk.world.wheel->clay, grip(), held_ > 0)) send_hand();
   }
@@ -278,6 +293,7 @@ class Throwing final : public Screen {
   void let_go() override {
     show_.stop(hands_.lead());
     hands_.lift();
+    if (coil_) coil_->lift();
     send_hand();
   }
   void comforted() override { speed_.send(desk); }
@@ -292,7 +308,9 @@ class Throwing final : public Screen {
  private:
   /// The keys move among buttons and do not move the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
-  bool working() const { return show_.showing() || hands_.active() || cut_off_; }
+  bool active() const { return hands_.active() || (coil_ && coil_->active()); }
+  bool grabbed() const { return hands_.grabbed() || (coil_ && coil_->grabbed()); }
+  bool working() const { return show_.showing() || active() || cut_off_; }
   std::vector<PartOff> parts() const {
     return parts_off(desk.shelf_card(desk.card), picture_.made());
   }
@@ -304,7 +322,35 @@ class Throwing final : public Screen {
     send_hand();
   }
   double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
-  void send_hand() { hands_.send(desk, camera_); }
+  void send_hand() {
+    if (!coil_) return hands_.send(desk, camera_);
+    desk.world.wheel_commands->hand(0, coil_->input(camera_, desk.world.wheel->clay));
+    desk.world.wheel_commands->hand(1, {});
+  }
+  /// A coil lays one ring by itself, as the line asks for it.
+  void lay_a_ring() {
+    const Profile* target = aim();
+    const bool stop = coil_->by_itself();
+    let_go();
+    if (stop || target == nullptr) return;
+    const ClayView& clay = desk.world.wheel->clay;
+    const double coil = *desk.wheel().coil;
+    const double top = std::min(clay.rim_height() + coil, target->height());
+    coil_->lay_a_ring(key_sign(), target->outer_at(top) - 0.5 * coil, clay);
+    send_hand();
+  }
+  /// The wall is not there yet. Two visitors have their hands full.
+  bool wants_coil() const {
+    const auto coil = desk.wheel().coil;
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    return coil && !hands_.two() && card != nullptr &&
+           lacks_a_ring(desk.world.wheel->clay.rim_height(), card->target.height(), *coil);
+  }
+  void hold_coil(bool on) {
+    coil_ = on ? std::optional<CoilHand>(*desk.wheel().coil) : std::nullopt;
+    desk.world.wheel_commands->hold_coil(on);
+    speed_.lay(on, desk);
+  }
   /// The target outline, if a hand may work towards it.
   const Profile* aim() const {
     const ShelfCard* card = desk.shelf_card(desk.card);
@@ -332,12 +378,15 @@ class Throwing final : public Screen {
     const WallHold::Part fine{0, wheel.tool_radius};
     if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
       if (!clay_.comes_first(desk)) return;
+      if (coil_) held_ = 0, hold_coil(false);
       desk.world.wheel_commands->wheel(0);
       set_water(false);
       cut_off_.emplace(*wheel.wire);
       return;
     }
     held_ = which;
+    hold_coil(wheel.coil && which == kCoilTool);
+    if (coil_) return;
     if (which == 0) return hands_.take_up({wheel.palm, wheel.palm_radius}, fine);
     const SceneForVisitor::Tool& tool = wheel.tools[which - 1];
     hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
@@ -362,7 +411,10 @@ class Throwing final : public Screen {
     open_drawer(Drawer::closed);
     mishap_.stay();
     show_.stop(hands_.lead());
-    hands_.move_by_keys(desk.world.wheel->clay, grip(), key_sign(), outward, up);
+    if (coil_)
+      coil_->move_by_keys(key_sign(), outward, desk.world.wheel->clay);
+    else
+      hands_.move_by_keys(desk.world.wheel->clay, grip(), key_sign(), outward, up);
     send_hand();
   }
 
@@ -419,7 +471,8 @@ class Throwing final : public Screen {
   HintLine hint_;
   MishapWatch mishap_;
   WheelHands hands_;
-  std::size_t held_ = 0;  ///< Index in the tray: 0 is the hands.
+  std::size_t held_ = 0;          ///< Index in the tray: 0 is the hands.
+  std::optional<CoilHand> coil_;  ///< In place of the hands.
   std::optional<WireCut> cut_off_;
   ShowMe show_;
   StrokeBoard board_;

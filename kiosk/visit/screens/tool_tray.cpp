@@ -25,7 +25,13 @@ constexpr std::string_view kBareHands =
     "11,3 11,22; 13,3 13,22; arc 4.5,11 5,4 -90 90; arc 19.5,11 5,4 90 270; "
     "1,7 4.5,7; 1,15 4.5,15; 19.5,7 23,7; 19.5,15 23,15";
 
+/// A wall of two rings, and a third on its way.
+constexpr std::string_view kCoil =
+    "arc 12,18 9,3 0 360; arc 12,14 9,3 0 180; 3,14 3,18; 21,14 21,18; "
+    "arc 12,9 9,3 20 200; 3.4,8 3.4,12; 20.6,10 20.6,14";
+
 std::string_view drawing_of(const std::string& tool) {
+  if (tool == "coil") return kCoil;
   const ToolShape* const shape = find_tool_shape(tool);
   return shape != nullptr && !shape->drawing.empty() ? shape->drawing : kBareHands;
 }

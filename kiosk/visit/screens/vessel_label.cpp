@@ -80,9 +80,7 @@ void VesselLabel::lay_out(Page& page) {
   column.foot_space(t.gap * 1.5f);
   const bool several = parts_ > 1;
   // In a row of its own below the others, so that it has one place on every label.
-  column.foot_buttons(
-      {{"choose.throw", desk_.say(mission != nullptr ? "mission.begin" : "choose.throw"),
-        Look::solid}});
+  column.foot_buttons(ways_to_make());
   column.foot_space(t.gap);
   std::vector<Button> onward;
   if (several) {
@@ -130,6 +128,11 @@ void VesselLabel::lay_out(Page& page) {
     if (const int percent = percent_of_size(*shelf); percent != 100)
       add(desk_.say(percent < 100 ? "choose.reduced" : "choose.enlarged",
                     {{"percent", std::to_string(percent)}}));
+    if (offers_to_build()) {
+      const double coil = *shelf->built->coil;
+      add(desk_.say("choose.coil", {{"mm", std::to_string(std::lround(1000 * coil))},
+                                    {"cm", centimetres(coil / shelf->scale, desk_.words())}}));
+    }
   }
   if (!line.empty()) column.text(line, t.body, Face::sans, view::kFaintInk);
   column.space(t.gap);
@@ -148,6 +151,18 @@ void VesselLabel::lay_out(Page& page) {
     page.restart();
   }
   parts_ = static_cast<int>(parts.size());
+}
+
+bool VesselLabel::offers_to_build() const {
+  const ShelfCard* shelf = desk_.shelf_card(card_);
+  return mission_ < 0 && shelf != nullptr && shelf->built && shelf->built->coil;
+}
+
+std::vector<Button> VesselLabel::ways_to_make() const {
+  if (mission_ >= 0) return {{"choose.throw", desk_.say("mission.begin"), Look::solid}};
+  if (!offers_to_build()) return {{"choose.throw", desk_.say("choose.throw"), Look::solid}};
+  return {{"choose.build", desk_.say("choose.build"), Look::solid},
+          {"choose.throw", desk_.say("choose.throw_it"), Look::outline}};
 }
 
 /// The vessel, the picture's credit below it, and beside the credit a code for a phone: the

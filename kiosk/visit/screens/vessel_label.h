@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "kiosk/picture/view/square_code.h"
 #include "kiosk/visit/screens/desk.h"
@@ -21,10 +22,13 @@ class VesselLabel {
   void open(int card, int mission = -1);
   void close() { card_ = -1; }
   void lay_out(Page& page);
+  /// The vessel may be built of coils before it may be thrown.
+  bool offers_to_build() const;
   /// Reads on, or opens the most similar vessel's label; false for other controls.
   bool press(const std::string& control);
 
  private:
+  std::vector<Button> ways_to_make() const;
   void lay_out_picture(Page& page, const ShelfCard& shelf, const content::Label& label,
                        view::Rect room);
 

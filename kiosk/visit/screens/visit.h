@@ -53,9 +53,13 @@ struct SceneForVisitor {
   };
   std::optional<Trimmer> trimmer;    ///< The loop trimmer, if the scene has it,
   std::optional<std::uint8_t> wire;  ///< and the wire.
+  /// Diameter of the coil that the pot is built of, m; none: it is not built. The coil is then the
+  /// first of `tools`.
+  std::optional<double> coil;
   struct Tool {
     std::uint8_t tool = 0;  ///< HandInput::tool.
-    std::string name;       ///< Its shape's name: "flat_rib"; language key "tool.flat_rib".
+    std::string name;       ///< Its shape's name, or "coil"; language keys "tool.flat_rib" and
+                            ///< "tool.flat_rib_is".
     double reach = 0;       ///< m from the middle of its working part to the working face,
     double below = 0;       ///< and to its lowest point.
   };
@@ -75,6 +79,7 @@ struct ShelfCard {
   Profile target;               ///< At workspace scale, foot at 0.
   double scale = 1.0;           ///< Workspace size / true size.
   SceneForVisitor wheel;
+  std::optional<SceneForVisitor> built{};  ///< Where it may also be built of coils.
 };
 
 /// A mission that is offered today, before the shelf.
@@ -95,6 +100,7 @@ struct StartPot {
   int card = 0;  ///< As Visit's card; may be own_card().
   bool scripted = false;
   std::string script = "follow";
+  bool built = false;  ///< In the scene of ShelfCard::built.
 };
 struct MakeKeepsake {
   int card = 0;

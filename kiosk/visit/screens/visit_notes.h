@@ -19,6 +19,7 @@ struct VisitNotes {
   double throwing_s = 0.0;            ///< Part of it at the wheel.
   int pots = 0;                       ///< Pots begun.
   int card = -1;                      ///< On the shelf: the last chosen vessel; -1: none.
+  bool built = false;                 ///< It was built of coils.
   ScreenId reached = ScreenId::clay;  ///< The furthest screen, not counting the fault screen.
   ScreenId left = ScreenId::choose;   ///< The last screen.
   End end = End::back;

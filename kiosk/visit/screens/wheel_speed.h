@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "kiosk/visit/screens/desk.h"
 
@@ -13,6 +14,7 @@ class WheelSpeed {
  public:
   static constexpr double kFirst = 25.0;  ///< rad/s: about 240 turns a minute.
   static constexpr double kStep = 2.5;    ///< rad/s
+  static constexpr double kLaying = 2.5;  ///< rad/s: a ring of coil in 2.5 s.
 
   explicit WheelSpeed(const Desk& desk) : asked_(std::min(kFirst, desk.wheel().max_speed)) {}
   /// True if `control` was one of its two buttons; it then sends the speed.
@@ -29,9 +31,16 @@ class WheelSpeed {
     desk.world.wheel_commands->wheel(desk.screen().left_handed ? -asked_ : asked_);
   }
   double asked() const { return asked_; }  ///< rad/s
+  /// A coil is taken up, or put away: each way of working has its speed.
+  void lay(bool on, const Desk& desk) {
+    if (std::exchange(laying_, on) == on) return;
+    std::swap(asked_, other_);
+    send(desk);
+  }
 
  private:
-  double asked_;
+  double asked_, other_ = kLaying;
+  bool laying_ = false;
 };
 
 }  // namespace onggi::screens

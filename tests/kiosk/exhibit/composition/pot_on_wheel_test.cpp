@@ -91,5 +91,31 @@ TEST_F(PotOnWheelTest, ASteppedVisitHasItsPotAtOnce) {
   EXPECT_TRUE(wheel.status().scripted);
 }
 
+TEST_F(PotOnWheelTest, AVesselIsBuiltInItsBuiltSceneAndThrownInTheOther) {
+  write("built.toml", "[clay]\nrows = 400\nsectors = 48\n[volume]\n[building]\ncoil = 0.02\n");
+  write("thrown.toml", "[clay]\nrows = 60\n");
+  exhibit.built_scenes["small"] = folder.path() / "built.toml";
+  exhibit.built_scenes["large"] = folder.path() / "thrown.toml";
+  const Scenes scenes(exhibit);
+  EXPECT_EQ(scenes.built("large"), nullptr) << "nothing is built without coils";
+  ASSERT_NE(scenes.built("small"), nullptr);
+  const screens::SceneForVisitor shown = scenes.for_visitor(*scenes.built("small"), vessels[1]);
+  EXPECT_EQ(shown.coil, 0.02);
+  ASSERT_EQ(shown.tools.size(), 1u);
+  EXPECT_EQ(shown.tools[0].name, "coil");
+  EXPECT_EQ(scenes.for_visitor(scenes.of("small"), vessels[1]).coil, std::nullopt);
+  PotOnWheel pot(scenes, wheel, renderer, 1, true);
+  for (const bool built : {true, false}) {
+    screens::StartPot wish{1, false, ""};
+    wish.built = built;
+    pot.start(wish, cards[1]);
+    ASSERT_TRUE(pot.made());
+    ASSERT_TRUE(pot.put(cards[1]));
+    EXPECT_EQ(pot.def().building.has_value(), built);
+    EXPECT_EQ(wheel.view().coil.diameter, built ? 0.02 : 0.0);
+    EXPECT_EQ(pot.def().clay.height < 0.011, built) << "a floor, or a lump";
+  }
+}
+
 }  // namespace
 }  // namespace onggi::exhibit::pot_on_wheel_test

@@ -429,5 +429,40 @@ TEST(ChooseScreen, TheStepOnwardHasOnePlaceOnEveryLabelHoweverMuchItSays) {
   }
 }
 
+TEST(ChooseScreen, AVesselThatWasBuiltOffersThatFirstAndToThrowItSecond) {
+  Visitor v(2);
+  v.shelf[1].built = v.shelf[1].wheel;
+  v.shelf[1].built->coil = 0.013;
+  v.shelf[1].built->tools = {{0, "coil", 0.0065, 0.0065}};
+  v.shelf[1].scale = 0.325;
+  for (const bool built : {true, false}) {
+    v.touch("attract.begin");
+    v.frames(1);
+    v.touch("choose.card.0");
+    v.frames(1);
+    EXPECT_FALSE(v.visit->control("choose.build")) << "this one is thrown";
+    v.touch("back");
+    v.frames(1);
+    v.touch("choose.card.1");
+    v.frames(1);
+    const std::string words = words_in(v.frame);
+    for (const char* said :
+         {"Build it from coils", "Throw it on the wheel",
+          "Its coils are 13 mm thick here; at its real size they would be 4 cm."})
+      EXPECT_NE(words.find(said), std::string::npos) << said;
+    v.requests();
+    v.touch(built ? "choose.build" : "choose.throw");
+    v.frames(1);
+    const auto asked = v.requests();
+    ASSERT_FALSE(asked.empty());
+    const auto* start = std::get_if<StartPot>(&asked.front());
+    ASSERT_NE(start, nullptr);
+    EXPECT_EQ(start->built, built);
+    EXPECT_EQ(v.visit->screen(), ScreenId::throwing);
+    while (v.visit->screen() != ScreenId::attract) v.touch("back");
+    v.frames(1);
+  }
+}
+
 }  // namespace
 }  // namespace onggi::screens::choose_screen_test

@@ -34,6 +34,25 @@ TEST(Hint, AWheelThatStandsStillComesBeforeAllElse) {
   EXPECT_EQ(next_hint(in).key, "hint.wheel_still");
 }
 
+TEST(Hint, AWallThatIsBuiltComesBeforeItsShape) {
+  const Profile target = jar(0.08);
+  Profile low = jar(0.05);
+  for (ProfilePoint& p : low.points) p.height *= 0.2;
+  Seen in(target, low);
+  in.coil = 0.013;
+  in.coil_held = true;
+  EXPECT_EQ(next_hint(in).key, "hint.lay_coil");
+  in.coil_held = false;
+  EXPECT_EQ(next_hint(in).key, "hint.take_coil");
+  const Profile high = jar(0.05);
+  Seen built(target, high);
+  built.coil = 0.013;
+  built.coil_held = true;
+  EXPECT_EQ(next_hint(built).key, "hint.high_enough");
+  built.coil_held = false;
+  EXPECT_EQ(next_hint(built).key, "hint.press_out") << "as of any pot";
+}
+
 TEST(Hint, ABellyTooNarrowWantsTheHandInside) {
   const Profile target = jar(0.08), made = jar(0.06);
   Seen in(target, made);

@@ -195,5 +195,71 @@ TEST(ToolTray, AControlNamesOneToolOrNone) {
     EXPECT_FALSE(ToolTray::of_control(other)) << other;
 }
 
+/// At a pot that is built of coils. Its lump is as high as its vessel unless `floor`.
+struct AtABuiltPot : Visitor {
+  explicit AtABuiltPot(bool floor = true) {
+    for (ShelfCard& card : shelf) {
+      card.wheel.coil = 0.013;
+      card.wheel.max_speed = 8.0;
+      card.wheel.tools = {{0, "coil", 0.0065, 0.0065}, {kWire, "wire", 0.0005, 0.0005}};
+      card.wheel.wire = kWire;
+      if (floor) card.target = scaled(card.target, 3.0);
+    }
+    throw_a_pot();
+    frames(2);
+  }
+};
+
+TEST(ToolTray, APotThatIsBuiltBeginsWithACoilInTheHandOnASlowWheel) {
+  AtABuiltPot v;
+  EXPECT_TRUE(v.wheel_commands.coil);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+  EXPECT_NE(words_in(v.frame).find("Hold the coil on the rim"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("Lay a ring"), std::string::npos);
+  v.touch("throw.tools");
+  v.frames(1);
+  EXPECT_NE(words_in(v.frame).find("Builds the wall, ring on ring"), std::string::npos);
+  v.touch("throw.tool.0");
+  v.frames(3);
+  EXPECT_FALSE(v.wheel_commands.coil) << "bare hands";
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 8.0) << "at their own speed";
+  EXPECT_NE(words_in(v.frame).find("Take the coil"), std::string::npos);
+  v.touch("throw.tools");
+  v.touch("throw.tool.1");
+  EXPECT_TRUE(v.wheel_commands.coil);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+}
+
+TEST(ToolTray, APotThatIsHighEnoughBeginsWithTheHands) {
+  AtABuiltPot v(false);
+  EXPECT_FALSE(v.wheel_commands.coil);
+}
+
+TEST(ToolTray, TheWireIsTakenInPlaceOfTheCoil) {
+  AtABuiltPot v;
+  v.touch_clay();
+  v.touch("throw.tools");
+  v.touch("throw.tool.2");
+  EXPECT_FALSE(v.wheel_commands.coil) << "a hand with a coil could not cut";
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 0.0);
+}
+
+TEST(ToolTray, AFingerLeadsTheCoilAndTheButtonLaysARing) {
+  AtABuiltPot v;
+  const auto at = *v.frame.pot->camera.project({0.05, v.clay.rim_height(), 0});
+  v.down(at.first, at.second);
+  v.show();
+  EXPECT_TRUE(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active);
+  EXPECT_GT(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].position.y,
+            v.clay.rim_height());
+  v.up(at.first, at.second);
+  v.show();
+  EXPECT_FALSE(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active);
+  v.touch("throw.show");
+  EXPECT_TRUE(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active);
+  v.touch("throw.show");
+  EXPECT_FALSE(v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active) << "and stops";
+}
+
 }  // namespace
 }  // namespace onggi::screens::tool_tray_test
