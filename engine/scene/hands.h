@@ -51,8 +51,8 @@ enum FaultBit : std::uint32_t {
 
 /// What one hand feels.
 struct HandFeedback {
-  Vec3 force;  ///< On the hand, studio frame, newtons, guarded.
-  bool contact = false;
+  Vec3 force;                         ///< On the hand, studio frame, newtons, guarded.
+  bool contact = false;               ///< It presses the clay, or its coil rests on the rim.
   WallSide side = WallSide::outside;  ///< Face of the wall; on the rim, the face it came from.
   Place place = Place::outside;       ///< Where it works, or would work if it is clear.
   double depth = 0.0;                 ///< Deepest press of this tick, metres.

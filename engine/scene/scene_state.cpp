@@ -289,7 +289,7 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
     felt.force = h.guard.step(tick.wanted[n], tick.dt, limits, finite);
     if (!finite) faults |= kFaultForce;
     const Press& press = tick.press[n];
-    felt.contact = h.present && press.touched > 0;
+    felt.contact = h.present && (press.touched > 0 || h.rests);
     felt.side = tick.side[n];
     felt.place = tick.place[n];
     felt.depth = h.present ? press.depth : 0.0;

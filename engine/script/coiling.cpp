@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "engine/clay/clay.h"
+#include "engine/effects/building.h"
 #include "engine/math/portable.h"
 #include "engine/script/keyed.h"
 
@@ -12,21 +14,34 @@ namespace onggi::script {
 namespace {
 
 constexpr int kRingsLaid = 5;
-constexpr double kRimSpeed = 0.06;   // m/s at pace 1: a ring of a small jar takes five seconds
-constexpr double kTurns = 1.1;       // over a ring: the wheel has a little to spare
-constexpr double kSpinUp = 1.0;      // s
-constexpr double kBetween = 0.8;     // s at pace 1, from one ring to the next
-constexpr double kAbove = 0.04;      // m: where the hand waits
-constexpr double kPressed = 0.0005;  // m: how deep the coil rests on the rim
+constexpr double kRimSpeed = 0.06;    // m/s at pace 1: a ring of a small jar takes five seconds
+constexpr double kBuildSpeed = 0.15;  // m/s: a jar of 16 rings in a minute
+constexpr double kMostOfARing = 0.6;  // coils: where less is missing, no ring is laid
+constexpr double kOnTop = 0.0005;     // m inside the wall's edge
+constexpr double kTurns = 1.1;        // over a ring: the wheel has a little to spare
+constexpr double kSpinUp = 1.0;       // s
+constexpr double kBetween = 0.8;      // s at pace 1, from one ring to the next
+constexpr double kAbove = 0.04;       // m: where the hand waits
+constexpr double kPressed = 0.0005;   // m: how deep the coil rests on the rim
 
 class Coiling final : public Script {
  public:
-  explicit Coiling(const ScriptContext& context)
+  /// `target`: the vessel whose line the rings follow; null: five rings, one on the other.
+  Coiling(const ScriptContext& context, const Profile* target)
       : coil_((context.scene.building ? *context.scene.building : BuildingDef{}).coil),
         between_(kBetween / context.pace) {
     const BuildingDef law = context.scene.building ? *context.scene.building : BuildingDef{};
-    const double rim = std::max(context.scene.clay.outer_radius, coil_);
-    const double speed = std::min(kRimSpeed * context.pace, 0.8 * law.pace);
+    const ClayDef& lump = context.scene.clay;
+    double rim = std::max(lump.outer_radius, coil_);
+    double speed = kRimSpeed;
+    if (target != nullptr) {
+      target_ = *target;
+      rim = std::max(rim, target->max_radius());
+      speed = kBuildSpeed;
+      const double ring = effects::Building::ring_height(law, lump);
+      rings_ = static_cast<int>(std::ceil(std::max(target->height() - lump.height, 0.0) / ring));
+    }
+    speed = std::min(speed * context.pace, 0.8 * law.pace);
     wheel_ = std::min(speed / rim, context.scene.wheel.max_speed);
     const double turn = wheel_ > 0.0 ? 2.0 * portable::kPi / wheel_ : 1.0;
     ring_ = kTurns * turn + between_;
@@ -39,11 +54,8 @@ class Coiling final : public Script {
     if (since < 0.0 || t >= duration()) return hands;
     const double within = std::fmod(since, ring_);
     if (within < between_) rim_ = clay.rim_height();
-    const bool closed = clay.rim_height() > rim_ + 0.5 * coil_;
-    // Above the middle of the rim, or at the edge of a lump that is solid to the top.
-    const int top = clay.rows() - 1;
-    const double outer = double{clay.outer(top)[0]}, inner = double{clay.inner(top)[0]};
-    const double out = inner > 0.0 ? 0.5 * (outer + inner) : outer - 0.5 * coil_;
+    const bool closed = clay.rim_height() > rim_ + 0.5 * coil_ || high_enough(clay);
+    const double out = place(clay);
     const double down = closed ? 0.0 : std::min(1.0, within / between_);
     const double up = kAbove * (1.0 - down);
     const double height = clay.rim_height() + 0.5 * coil_ - kPressed + up;
@@ -54,7 +66,7 @@ class Coiling final : public Script {
     return hands;
   }
 
-  double duration() const override { return kSpinUp + kRingsLaid * ring_; }
+  double duration() const override { return kSpinUp + rings_ * ring_; }
 
   std::string_view phase(double t) const override {
     if (t < kSpinUp) return "wheel";
@@ -62,7 +74,25 @@ class Coiling final : public Script {
   }
 
  private:
+  bool high_enough(const Clay& clay) const {
+    return target_ && clay.rim_height() + kMostOfARing * coil_ >= target_->height();
+  }
+  // Above the middle of the rim, or at the edge of a lump that is solid to the top; or where the
+  // next ring's outer face is on the vessel's line, as far as it can rest on the wall.
+  double place(const Clay& clay) const {
+    const int top = clay.rows() - 1;
+    const double outer = double{clay.outer(top)[0]}, inner = double{clay.inner(top)[0]};
+    const double middle = inner > 0.0 ? 0.5 * (outer + inner) : outer - 0.5 * coil_;
+    if (!target_) return middle;
+    const double least = inner > 0.0 ? inner + kOnTop : outer - coil_, most = outer - kOnTop;
+    const double wanted =
+        target_->outer_at(std::min(clay.rim_height() + coil_, target_->height())) - 0.5 * coil_;
+    return least < most ? std::clamp(wanted, least, most) : middle;
+  }
+
   double coil_, between_;
+  std::optional<Profile> target_;
+  int rings_ = kRingsLaid;
   double wheel_ = 0.0;
   double ring_ = 0.0;  // s
   double rim_ = 0.0;   // m, before this ring
@@ -71,7 +101,11 @@ class Coiling final : public Script {
 }  // namespace
 
 std::unique_ptr<Script> lay_rings(const ScriptContext& context, const ToolInHand&) {
-  return std::make_unique<Coiling>(context);
+  return std::make_unique<Coiling>(context, nullptr);
+}
+
+std::unique_ptr<Script> build_up(const ScriptContext& context, const ToolInHand&) {
+  return std::make_unique<Coiling>(context, context.target);
 }
 
 }  // namespace onggi::script

@@ -93,6 +93,11 @@ constexpr ScriptInfo kScripts[] = {
      "smoothing",
      plays<draw_and_even>},
     {"coil_up", "lay five rings of coil on the rim, the wheel slow", {}, "building", lay_rings},
+    {"build",
+     "build a vessel of rings of coil, up its own outline",
+     {.target = true},
+     "building",
+     build_up},
 };
 
 constexpr auto kNames = [] {

@@ -174,7 +174,8 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
   }
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);
-        info != nullptr && (info->needs.target || shows_its_effect(*info, def)))
+        info != nullptr &&
+        (info->shows.empty() ? info->needs.target : shows_its_effect(*info, def)))
       wheel.shown.push_back(script);
   if (wheel.shown.empty()) wheel.shown.push_back("follow");
   if (def.kiln && !glazes_.empty())

@@ -108,7 +108,9 @@ Result<void> ScriptedVisitor::on_choose() {
   if (touched_) return {};
   touched_ = true;
   pass("label");
-  return touch("choose.throw");
+  const ScriptInfo* script = find_script(plan_.script);
+  const bool builds = script != nullptr && script->shows == BuildingDef::kName;
+  return touch(builds && kiosk_.visit().control("choose.build") ? "choose.build" : "choose.throw");
 }
 
 Result<void> ScriptedVisitor::on_naive(double now) {

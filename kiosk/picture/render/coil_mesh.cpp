@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 
 namespace onggi::render {
@@ -13,7 +15,7 @@ constexpr int kCap = 4;               // rings of a round end
 /// One tube of a coil, ring by ring.
 class Tube {
  public:
-  Tube(CoilMesh& mesh, const CoilOnRim& coil)
+  Tube(TriangleMesh& mesh, const CoilOnRim& coil)
       : mesh_(mesh),
         radius_(0.5f * static_cast<float>(coil.diameter)),
         height_(static_cast<float>(coil.height)) {}
@@ -40,59 +42,74 @@ class Tube {
     const glm::vec3 out(std::cos(angle), 0, std::sin(angle)), up(0, 1, 0);
     const glm::vec3 along(-out.z, 0, out.x);
     const glm::vec3 middle = centre * out + height_ * up + ahead * radius_ * along;
-    const auto first = static_cast<std::uint32_t>(mesh_.corners.size());
+    const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
     for (std::uint32_t k = 0; k < kSides; ++k) {
       const float round = 2 * glm::pi<float>() * static_cast<float>(k) / kSides;
       const glm::vec3 way = std::cos(round) * out + std::sin(round) * up;
-      mesh_.corners.push_back(
-          {middle + wide * radius_ * way, std::cos(lean) * way + std::sin(lean) * along});
+      const glm::vec3 at = middle + wide * radius_ * way;
+      const glm::vec3 normal = std::cos(lean) * way + std::sin(lean) * along;
+      mesh_.positions.push_back({at.x, at.y, at.z});
+      mesh_.normals.push_back({normal.x, normal.y, normal.z});
     }
     if (begun_) {
       for (std::uint32_t k = 0; k < kSides; ++k) {
         const std::uint32_t a = first - kSides + k, b = first - kSides + (k + 1) % kSides;
-        mesh_.indices.insert(mesh_.indices.end(), {a, b, b + kSides, a, b + kSides, a + kSides});
+        mesh_.triangles.push_back({a, b, b + kSides});
+        mesh_.triangles.push_back({a, b + kSides, a + kSides});
       }
     }
     begun_ = true;
   }
 
-  CoilMesh& mesh_;
+  TriangleMesh& mesh_;
   float radius_, height_;
   bool begun_ = false;
 };
 
 }  // namespace
 
-void make_coil(CoilMesh& mesh, const CoilOnRim& coil, double turned, Opening opening) {
-  mesh.corners.clear();
-  mesh.indices.clear();
+float angle_of(const CoilOnRim& coil, std::size_t place, double turned) {
+  return static_cast<float>(turned) + 2 * glm::pi<float>() * (static_cast<float>(place) + 0.5f) /
+                                          static_cast<float>(coil.centre.size());
+}
+
+std::vector<CoilRun> runs_of(const CoilOnRim& coil, double turned, Opening opening) {
+  std::vector<CoilRun> runs;
   const std::size_t n = coil.centre.size();
-  const auto angle = [&](std::size_t place) {
-    return static_cast<float>(turned) +
-           2 * glm::pi<float>() * (static_cast<float>(place) + 0.5f) / static_cast<float>(n);
-  };
   const auto cut = [&](std::size_t place) {
-    const float beyond = std::remainder(angle(place % n) - opening.from, 2 * glm::pi<float>());
-    return (beyond < 0 ? beyond + 2 * glm::pi<float>() : beyond) < opening.angle;
+    const float turn = 2 * glm::pi<float>();
+    const float beyond = std::remainder(angle_of(coil, place % n, turned) - opening.from, turn);
+    return (beyond < 0 ? beyond + turn : beyond) < opening.angle;
   };
   const auto lies = [&](std::size_t place) {
     return coil.centre[place % n] != 0.0f && !cut(place);
   };
   std::size_t gap = 0;  // a place where nothing lies, to begin after
   while (gap < n && lies(gap)) ++gap;
-  if (gap == n) {
-    if (n == 0) return;
-    Tube ring(mesh, coil);
-    for (std::size_t k = 0; k <= n; ++k) ring.add(angle(k), coil.centre[k % n]);
-    return;
-  }
+  if (gap == n && n > 0) return {{0, n, false, false, true}};
   for (std::size_t k = gap + 1; k < gap + n; ++k) {
     if (!lies(k)) continue;
-    Tube tube(mesh, coil);
-    tube.end(angle(k), coil.centre[k % n], -1, cut(k + n - 1));
-    for (; k < gap + n && lies(k); ++k) tube.add(angle(k), coil.centre[k % n]);
-    tube.end(angle(k - 1), coil.centre[(k - 1) % n], 1, cut(k));
+    CoilRun run{k, k, cut(k + n - 1), false, false};
+    while (k + 1 < gap + n && lies(k + 1)) ++k;
+    run.last = k;
+    run.flat_last = cut(k + 1);
+    runs.push_back(run);
   }
+  return runs;
+}
+
+TriangleMesh coil_mesh(const CoilOnRim& coil, double turned, Opening opening) {
+  TriangleMesh mesh;
+  const auto centre = [&](std::size_t place) { return coil.centre[place % coil.centre.size()]; };
+  for (const CoilRun& run : runs_of(coil, turned, opening)) {
+    Tube tube(mesh, coil);
+    const float first = angle_of(coil, run.first, turned), last = angle_of(coil, run.last, turned);
+    if (!run.ring) tube.end(first, centre(run.first), -1, run.flat_first);
+    for (std::size_t k = run.first; k <= run.last; ++k)
+      tube.add(angle_of(coil, k, turned), centre(k));
+    if (!run.ring) tube.end(last, centre(run.last), 1, run.flat_last);
+  }
+  return mesh;
 }
 
 }  // namespace onggi::render

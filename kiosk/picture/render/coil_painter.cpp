@@ -1,5 +1,7 @@
 #include "kiosk/picture/render/coil_painter.h"
 
+#include <vector>
+
 #include "kiosk/picture/render/shaders.h"
 
 namespace onggi::render {
@@ -13,10 +15,13 @@ Result<std::unique_ptr<CoilPainter>> CoilPainter::create() {
   return painter;
 }
 
-void CoilPainter::draw(const view::PotView& pot, float rim, Opening opening, const glm::mat4& clip,
-                       const std::function<void(const Program&)>& light) {
-  make_coil(mesh_, pot.coil, pot.clay_angle, opening);
-  if (mesh_.indices.empty()) return;
+void CoilPainter::prepare(const view::PotView& pot, Opening opening) {
+  mesh_ = coil_mesh(pot.coil, pot.clay_angle, opening);
+}
+
+void CoilPainter::draw(const view::PotView& pot, float rim, const glm::mat4& clip,
+                       const std::function<void(const Program&)>& light) const {
+  if (mesh_.triangles.empty()) return;
   program_.use();
   light(program_);
   program_.set("clip_from_studio", clip);
@@ -25,9 +30,15 @@ void CoilPainter::draw(const view::PotView& pot, float rim, Opening opening, con
   program_.set("clay_angle", static_cast<float>(pot.clay_angle));
   program_.set("wetness", pot.wetness_by_row.empty() ? static_cast<float>(pot.wetness)
                                                      : pot.wetness_by_row.back());
-  // It grows with every frame, so its buffers are made anew: 50 kB for most of a ring.
-  const Mesh mesh(&mesh_.corners.front().at.x, 6 * mesh_.corners.size(), mesh_.indices.data(),
-                  mesh_.indices.size(), {3, 3});
+  // It turns and grows with every frame, so its buffers are made anew: 50 kB for most of a ring.
+  std::vector<float> corners;
+  corners.reserve(6 * mesh_.positions.size());
+  for (std::size_t n = 0; n < mesh_.positions.size(); ++n) {
+    corners.insert(corners.end(), mesh_.positions[n].begin(), mesh_.positions[n].end());
+    corners.insert(corners.end(), mesh_.normals[n].begin(), mesh_.normals[n].end());
+  }
+  const Mesh mesh(corners.data(), corners.size(), mesh_.triangles.front().data(),
+                  3 * mesh_.triangles.size(), {3, 3});
   mesh.draw();
 }
 

@@ -15,15 +15,17 @@ class CoilPainter {
  public:
   static Result<std::unique_ptr<CoilPainter>> create();
 
+  /// Call before the others. `opening`: of the pot in this picture.
+  void prepare(const view::PotView& pot, Opening opening);
   /// `rim`: height of the clay below it, m. `light` sets the uniforms of light.glsl and the clay's
   /// colours. Draws into the bound target, with depth. Nothing if no coil lies there.
-  void draw(const view::PotView& pot, float rim, Opening opening, const glm::mat4& clip,
-            const std::function<void(const Program&)>& light);
+  void draw(const view::PotView& pot, float rim, const glm::mat4& clip,
+            const std::function<void(const Program&)>& light) const;
 
  private:
   CoilPainter() = default;
   Program program_;
-  CoilMesh mesh_;
+  TriangleMesh mesh_;
 };
 
 }  // namespace onggi::render

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "kiosk/picture/render/changed_part.h"
+#include "kiosk/picture/render/coil_outline.h"
 #include "kiosk/picture/render/shaders.h"
 
 namespace onggi::render {
@@ -57,11 +58,12 @@ Result<std::unique_ptr<Edges>> Edges::create() {
 }
 
 void Edges::prepare(const ClaySurface& clay, const CoatTexture& coat, const WallMesh& wall,
-                    const MeshEdges& vessel, const view::PotView& pot, const glm::mat4& clip,
-                    double scale) {
+                    const MeshEdges& vessel, Opening opening, const view::PotView& pot,
+                    const glm::mat4& clip, double scale) {
   const auto texel = static_cast<float>(1.0 / scale);
   now_ = outline_of(clay, coat, wall, pot, clip, texel);
   if (pot.beside) add_mesh_outline(now_, vessel, *pot.beside, texel);
+  add_coil_outline(now_, pot.coil, pot.clay_angle, opening, pot.camera, texel);
   put_farthest_first(now_.corners, now_.outlines);
   now_indices_ = now_.outlines;
   now_indices_.insert(now_indices_.end(), now_.creases.begin(), now_.creases.end());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/picture/render/coil_mesh.h"
 #include "kiosk/picture/render/gl.h"
 #include "kiosk/picture/render/mesh_outline.h"
 #include "kiosk/picture/render/outline.h"
@@ -27,11 +28,11 @@ class Edges {
   static Result<std::unique_ptr<Edges>> create();
 
   /// Finds and uploads the outlines for a picture that is `scale` times the camera's size; `vessel`
-  /// is the mesh of pot.beside. Binds the target of the lip's strip, for draw_lip() with the
-  /// program of the lip in clay.glsl.
+  /// is the mesh of pot.beside; pot.coil is outside `opening`. Binds the target of the lip's strip,
+  /// for draw_lip() with the program of the lip in clay.glsl.
   void prepare(const ClaySurface& clay, const CoatTexture& coat, const WallMesh& wall,
-               const MeshEdges& vessel, const view::PotView& pot, const glm::mat4& clip,
-               double scale);
+               const MeshEdges& vessel, Opening opening, const view::PotView& pot,
+               const glm::mat4& clip, double scale);
   void draw_lip() const { lip_.draw(); }
   /// Draws them into the bound target, which shows `space` over `ground` and is a whole frame.
   void draw(const Target& space, const BareDepths& bare, const Texture& ground, float opacity,

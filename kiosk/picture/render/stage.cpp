@@ -92,6 +92,11 @@ float opening_of(const view::PotView& pot) {
   return 0.5f * glm::pi<float>() * static_cast<float>(std::clamp(pot.cut_away, 0.0, 1.0));
 }
 
+Opening cut_away(const view::PotView& pot) {
+  const float open = opening_of(pot);
+  return {front_of(pot.camera) - open, open};
+}
+
 template <std::size_t N>
 std::size_t fine_enough(const std::array<Wall, N>& meshes, float pixels) {
   std::size_t size = 0;
@@ -154,6 +159,7 @@ void Stage::prepare(const view::PotView& pot, const Quality& quality) {
                   pot.wheel ? static_cast<float>(pot.wheel_radius) : 0.0f, size_of(pot),
                   quality.shadow_apart);
   skin_.prepare(pot);
+  coil_->prepare(pot, cut_away(pot));
   if (!pot.beside) return;
   upload(vessel_.levels, vessel_levels_);
   backdrop_->cast(Backdrop::Of::mesh, vessel_.levels, vessel_levels_, studio_, 0.0f, 1.0f, 0.0);
@@ -246,7 +252,7 @@ void Stage::prepare_edges(const view::PotView& pot, double scale) {
             kWalls[inside_of(drawn.size)].rows, drawn.open_from + drawn.open_angle,
             2.0f * glm::pi<float>() - drawn.open_angle};
   }
-  edges_->prepare(clay_, coat_, wall, vessel_edges_, pot, clip, scale);
+  edges_->prepare(clay_, coat_, wall, vessel_edges_, cut_away(pot), pot, clip, scale);
   if (clay_.empty()) return;
   // As fine as the frame.
   use_clay(1, pot, clip, pixel_size(pot.camera, 1.0)).set("unrolled", LipStrip::kUnrolled);
@@ -422,12 +428,10 @@ void Stage::draw_clay(const view::PotView& pot, const glm::mat4& clip, float pix
 }
 
 void Stage::draw_coil(const view::PotView& pot, const glm::mat4& clip) {
-  const float open = opening_of(pot);
-  coil_->draw(pot, static_cast<float>(clay_.height()), {front_of(pot.camera) - open, open}, clip,
-              [&](const Program& program) {
-                set_light(program, pot.camera, clay_levels_);
-                skin_.set(program, pot, kWetRows);
-              });
+  coil_->draw(pot, static_cast<float>(clay_.height()), clip, [&](const Program& program) {
+    set_light(program, pot.camera, clay_levels_);
+    skin_.set(program, pot, kWetRows);
+  });
 }
 
 void Stage::draw_reflection(const view::PotView& pot, const glm::mat4& clip) {

@@ -8,18 +8,50 @@ namespace onggi::screens {
 using view::InputEvent;
 
 namespace {
-constexpr double kPressed =
-    0.01;                         // coils: it rests on the rim, and comes clear of a ring it closed
-constexpr double kMeant = 2.5;    // coils from the rim's middle: a finger farther off moves nothing
-constexpr double kRound = 0.7;    // of the rim's radius: a finger that goes so far goes round
-constexpr double kOnTop = 0.001;  // m inside the wall's edge: farther out it would slip off
-constexpr double kRisen = 0.5;    // coils that the rim rises as a ring closes
+constexpr double kPressed = 0.04;  // coils into the rim: it rests on an uneven one too
+constexpr double kMeant = 1.5;  // coils from the rim's middle: a finger farther off moves nothing
+constexpr double kRound = 0.7;  // of the rim's radius: a finger that goes so far goes round
+constexpr double kRisen = 0.5;  // coils that the rim rises as a ring closes
+constexpr double kOnTop = 0.0005;  // m inside the wall's edge: farther out it would slip off
+constexpr double kEdge = 0.003;    // m: the rim's edges are so round (rim_touched)
+// A hand whose coil became a ring is off the rim for so many s, by so much, m. It has no coil until
+// it is clear.
+constexpr double kNextCoil = 0.35, kClear = 0.002;
+
+/// The wall's top where a hand is.
+struct Rim {
+  double outer = 0, inner = 0;
+
+  /// The rim around `way` from the axis, studio frame.
+  static Rim at(const ClayView& clay, Vec3 way) {
+    const int top = clay.rows() - 1;
+    const double turn = (std::atan2(way.z, way.x) - clay.angle) / (2 * 3.14159265358979);
+    const auto n = static_cast<double>(clay.sectors());
+    const auto i = static_cast<std::size_t>(std::min((turn - std::floor(turn)) * n, n - 1));
+    return {double{clay.outer(top)[i]}, double{clay.inner(top)[i]}};
+  }
+  bool solid() const { return inner <= 0.0; }
+  /// Where a coil lies without a lean, m from the axis.
+  double middle(double coil) const {
+    return solid() ? std::max(outer - 0.5 * coil, 0.0) : 0.5 * (outer + inner);
+  }
+  double within(double radius, double coil) const {
+    const double least = solid() ? outer - coil : inner + kOnTop, most = outer - kOnTop;
+    return least < most ? std::clamp(radius, least, most) : middle(coil);
+  }
+  /// How far a coil at `radius` lies lower than on the flat of the rim, m.
+  double sinks(double radius, double coil) const {
+    const double edge = std::min(kEdge, 0.5 * (outer - inner)), reach = 0.5 * coil + edge;
+    const double inside = solid() ? 0.0 : inner + edge - radius;
+    const double over = std::min(std::max({radius - outer + edge, inside, 0.0}), reach);
+    return reach - std::sqrt(reach * reach - over * over);
+  }
+};
 }  // namespace
 
 double CoilHand::middle_of_rim(const ClayView& clay, double diameter) {
   const int top = clay.rows() - 1;
-  const double outer = clay.mean_outer(top), inner = clay.mean_inner(top);
-  return inner > 0.0 ? 0.5 * (outer + inner) : std::max(outer - 0.5 * diameter, 0.0);
+  return Rim{clay.mean_outer(top), clay.mean_inner(top)}.middle(diameter);
 }
 
 bool CoilHand::pointer(const InputEvent& e, const view::Camera& camera, const ClayView& clay) {
@@ -70,8 +102,11 @@ void CoilHand::lay_a_ring(double side, double radius, const ClayView& clay) {
   ends_ = clay.rim_height() + kRisen * diameter_;
 }
 
-bool CoilHand::follow(const ClayView& clay) {
-  if (!ends_ || clay.rim_height() < *ends_) return false;
+bool CoilHand::follow(const ClayView& clay, double dt) {
+  const double rim = clay.rim_height();
+  off_ = !active_ ? 0.0 : rim > rim_ + kRisen * diameter_ ? kNextCoil : std::max(0.0, off_ - dt);
+  rim_ = rim;
+  if (!ends_ || rim < *ends_) return false;
   lift();
   return true;
 }
@@ -80,20 +115,17 @@ HandInput CoilHand::input(const view::Camera& camera, const ClayView& clay) cons
   HandInput hand;
   hand.active = active_ && clay.rows() > 0;
   if (!hand.active) return hand;
-  const int top = clay.rows() - 1;
   const double height = clay.rim_height() + (0.5 - kPressed) * diameter_;
-  const double middle = middle_of_rim(clay, diameter_);
-  Vec3 right, up, back;
-  camera.basis(right, up, back);
-  Vec3 way = side_ * right;
-  const double least = clay.mean_inner(top) + kOnTop, most = clay.mean_outer(top) - kOnTop;
-  double radius = least < most ? std::clamp(radius_, least, most) : middle;
-  if (const auto there = camera.on_level(px_, py_, height); round_ && there) {
-    const double away = std::max(axis_distance(*there), 1e-6);
-    way = {there->x / away, 0.0, there->z / away};
-    radius = middle;
-  }
-  hand.position = {radius * way.x, height, radius * way.z};
+  Vec3 way, up, back;
+  camera.basis(way, up, back);
+  way = side_ * way;
+  const auto there = round_ ? camera.on_level(px_, py_, height) : std::nullopt;
+  if (there && axis_distance(*there) > 1e-6)
+    way = (1.0 / axis_distance(*there)) * Vec3{there->x, 0.0, there->z};
+  const Rim rim = Rim::at(clay, way);
+  const double radius = there ? rim.middle(diameter_) : rim.within(radius_, diameter_);
+  hand.position = radius * way;
+  hand.position.y = height - rim.sinks(radius, diameter_) + (off_ > 0 ? kClear : 0.0);
   return hand;
 }
 

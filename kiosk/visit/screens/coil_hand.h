@@ -25,8 +25,9 @@ class CoilHand {
   void move_by_keys(double side, double outward, const ClayView& clay);
   /// Lays one ring by itself, `radius` (m) from the axis as far as the wall allows, at `side`.
   void lay_a_ring(double side, double radius, const ClayView& clay);
-  /// Call once a frame. True when the ring of lay_a_ring() is closed; the hand is then lifted.
-  bool follow(const ClayView& clay);
+  /// Call once a frame, of `dt` s. True when the ring of lay_a_ring() is closed; the hand is then
+  /// lifted.
+  bool follow(const ClayView& clay, double dt);
   void lift() { active_ = grabbed_ = false, ends_.reset(); }
 
   bool active() const { return active_; }
@@ -44,7 +45,9 @@ class CoilHand {
   double began_ = 0;              ///< m right of the axis, where it went down.
   float px_ = 0, py_ = 0;         ///< Pixels.
   double side_ = 1, radius_ = 0;  ///< m from the axis.
-  std::optional<double> ends_;    ///< Height of the rim above which the ring is closed, m.
+  double rim_ = 0,
+         off_ = 0;  ///< Height of the rim at the last frame, m; s that the hand is off it.
+  std::optional<double> ends_;  ///< Height of the rim above which the ring is closed, m.
 };
 
 }  // namespace onggi::screens

@@ -50,7 +50,11 @@ void draw_ghost(Page& page, const view::Camera& camera, const Profile& target,
       const auto at = camera.project(beside(camera, side * r, h));
       if (!at) continue;
       const double off = beyond(made, target, h);
-      const Fit fit = off > near_enough ? Fit::wide : off < -near_enough ? Fit::narrow : Fit::near;
+      const bool missing = !made.points.empty() && h > made.height() + near_enough;
+      const Fit fit = missing              ? Fit::narrow
+                      : off > near_enough  ? Fit::wide
+                      : off < -near_enough ? Fit::narrow
+                                           : Fit::near;
       if (runs.empty() || runs.back().fit != fit) {
         Run run{fit, {}};
         if (!runs.empty()) run.points.push_back(runs.back().points.back());

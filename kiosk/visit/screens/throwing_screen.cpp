@@ -83,7 +83,7 @@ class Throwing final : public Screen {
       send_hand();
     }
     if (coil_ && coil_->active() && desk.pot_ready()) {
-      coil_->follow(desk.world.wheel->clay);
+      coil_->follow(desk.world.wheel->clay, dt);
       send_hand();
     }
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;

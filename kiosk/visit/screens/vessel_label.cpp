@@ -130,7 +130,8 @@ void VesselLabel::lay_out(Page& page) {
                     {{"percent", std::to_string(percent)}}));
     if (offers_to_build()) {
       const double coil = *shelf->built->coil;
-      add(desk_.say("choose.coil", {{"mm", std::to_string(std::lround(1000 * coil))},
+      paragraphs.push_back(
+          desk_.say("choose.coil", {{"mm", std::to_string(std::lround(1000 * coil))},
                                     {"cm", centimetres(coil / shelf->scale, desk_.words())}}));
     }
   }

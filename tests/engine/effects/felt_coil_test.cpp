@@ -29,6 +29,16 @@ TEST(FeltCoil, AHandFeelsTheRimThroughItsCoil) {
   EXPECT_NEAR(light.x, 0.0, 1e-9);
 }
 
+TEST(FeltCoil, AHandWhoseCoilRestsOnTheRimIsInContactWithTheClay) {
+  Scene scene = made(bench());
+  Hands hands;
+  hands.hand[0] = {{0.02, resting(scene), 0}, true};
+  hands.hand[0].coil = true;
+  EXPECT_TRUE(scene.step(hands, 0.001).hand[0].contact);
+  hands.hand[0].position.y += 0.002;
+  EXPECT_FALSE(scene.step(hands, 0.001).hand[0].contact) << "above the rim";
+}
+
 TEST(FeltCoil, AHandWithoutACoilFeelsTheOneThatLiesAndOnlyThere) {
   const SceneDef def = bench();
   Scene scene = made(def);

@@ -196,6 +196,7 @@ SceneDef masters() {
   def.clay.wall_min = 0.002;
   def.contact = {0.015, 1e7};
   each_effect(def, [](auto& effect) { effect.emplace(); });
+  def.building.reset();  // its pot begins as a floor
   def.moisture->wetting_time = 5.0;
   def.moisture->weakening = 0.15;
   def.moisture->sponge_height = 0.06;

@@ -114,8 +114,15 @@ void main() {
   float across = 0.5 - 0.5 * cos(kPi * along);  // columns are closer where the lip is round
   float r = mix(top_outer, top_inner, across);
   float y = shoulder + lip_rise(depth, top_inner, top_outer, r);
-  // The walls have other columns, so a hem hides the slits between.
-  if (along < 0.001 || along > 0.999) y -= top_inner > 0.0 || along < 0.5 ? 0.0003 : 0.0;
+  // The walls have other columns, so a hem hides the slits between. They are wide where a ring of
+  // coil begins beside its end.
+  bool inmost = along > 0.999;
+  if (along < 0.001 || (inmost && top_inner > 0.0)) {
+    const float column = 1.0 / 44.0;  // of the coarsest wall
+    float r0 = inmost ? inner_at(u - column, shoulder / height) : outer_at(u - column, shoulder / height);
+    float r1 = inmost ? inner_at(u + column, shoulder / height) : outer_at(u + column, shoulder / height);
+    y -= 0.0003 + 0.5 * abs(r1 - r0);
+  }
 #elif PART == 2
   float y = mix(shoulder, min(floor_height, shoulder), along);
   float r = inner_at(u, y / height);

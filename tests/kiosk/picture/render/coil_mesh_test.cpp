@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 #include <map>
 #include <utility>
@@ -19,21 +20,20 @@ CoilOnRim laid(std::size_t first, std::size_t last) {
   for (std::size_t n = first; n < last; ++n) coil.centre[n % kPlaces] = static_cast<float>(kCentre);
   return coil;
 }
-CoilMesh drawn(const CoilOnRim& coil, double turned = 0.0, Opening opening = {}) {
-  CoilMesh mesh;
-  make_coil(mesh, coil, turned, opening);
-  return mesh;
+TriangleMesh drawn(const CoilOnRim& coil, double turned = 0.0, Opening opening = {}) {
+  return coil_mesh(coil, turned, opening);
 }
+glm::vec3 vec(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
 double angle_of(const glm::vec3& p) {
   const double a = std::atan2(double{p.z}, double{p.x});
   return a < 0 ? a + 2 * glm::pi<double>() : a;
 }
 
 /// By the divergence theorem; positive where triangles are counterclockwise from outside.
-double volume_of(const CoilMesh& mesh) {
+double volume_of(const TriangleMesh& mesh) {
   double volume = 0;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return glm::dvec3(mesh.corners[mesh.indices[i + k]].at); };
+  for (const auto& t : mesh.triangles) {
+    const auto at = [&](std::size_t k) { return glm::dvec3(vec(mesh.positions[t[k]])); };
     volume += glm::dot(at(0), glm::cross(at(1), at(2))) / 6;
   }
   return volume;
@@ -53,18 +53,18 @@ TEST(CoilMesh, IsAsMuchClayAsTheCoil) {
 TEST(CoilMesh, IsClosedEverywhere) {
   for (const auto& [first, last] : {std::pair{0u, 64u}, {5u, 6u}, {100u, 150u}, {0u, 128u}}) {
     for (const Opening& opening : {Opening{}, Opening{1.0f, 0.9f}}) {
-      const CoilMesh mesh = drawn(laid(first, last), 0.3, opening);
+      const TriangleMesh mesh = drawn(laid(first, last), 0.3, opening);
       // By place, because rings of no width and the ring's own end lie on others.
       std::map<std::pair<std::tuple<int, int, int>, std::tuple<int, int, int>>, int> ways;
       const auto place = [&](std::uint32_t corner) {
-        const glm::vec3 p = 1e6f * mesh.corners[corner].at;
+        const glm::vec3 p = 1e6f * vec(mesh.positions[corner]);
         return std::tuple(static_cast<int>(std::lround(p.x / 10)),
                           static_cast<int>(std::lround(p.y / 10)),
                           static_cast<int>(std::lround(p.z / 10)));
       };
-      for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+      for (const auto& t : mesh.triangles)
         for (std::size_t k = 0; k < 3; ++k) {
-          const auto a = place(mesh.indices[i + k]), b = place(mesh.indices[i + (k + 1) % 3]);
+          const auto a = place(t[k]), b = place(t[(k + 1) % 3]);
           if (a != b) ++ways[{a, b}], --ways[{b, a}];
         }
       for (const auto& [edge, sum] : ways)
@@ -74,35 +74,35 @@ TEST(CoilMesh, IsClosedEverywhere) {
 }
 
 TEST(CoilMesh, ItsNormalsPointOutOfTheClay) {
-  const CoilMesh mesh = drawn(laid(10, 70), 1.0);
+  const TriangleMesh mesh = drawn(laid(10, 70), 1.0);
   int looked = 0;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const auto& a = mesh.corners[mesh.indices[i]];
-    const auto& b = mesh.corners[mesh.indices[i + 1]];
-    const auto& c = mesh.corners[mesh.indices[i + 2]];
-    const glm::vec3 face = glm::cross(b.at - a.at, c.at - a.at);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::vec3 from = vec(mesh.positions[a]);
+    const glm::vec3 face = glm::cross(vec(mesh.positions[b]) - from, vec(mesh.positions[c]) - from);
     if (glm::length(face) < 1e-10f) continue;
     ++looked;
-    EXPECT_GT(glm::dot(glm::normalize(face), glm::normalize(a.normal + b.normal + c.normal)), 0.8f);
-    EXPECT_NEAR(glm::length(a.normal), 1.0f, 1e-4f);
+    const glm::vec3 mean = vec(mesh.normals[a]) + vec(mesh.normals[b]) + vec(mesh.normals[c]);
+    EXPECT_GT(glm::dot(glm::normalize(face), glm::normalize(mean)), 0.8f);
+    EXPECT_NEAR(glm::length(vec(mesh.normals[a])), 1.0f, 1e-4f);
   }
   EXPECT_GT(looked, 1000);
 }
 
 TEST(CoilMesh, LiesWhereItWasLaidAndTurnsWithTheClay) {
   const double turned = 0.7;
-  const CoilMesh mesh = drawn(laid(16, 48), turned);
+  const TriangleMesh mesh = drawn(laid(16, 48), turned);
   const double first = turned + 2 * glm::pi<double>() * 16 / kPlaces,
                last = turned + 2 * glm::pi<double>() * 48 / kPlaces;
   const double end = kRadius / (kCentre - kRadius);  // a round end goes on, most at the inside
-  ASSERT_FALSE(mesh.corners.empty());
+  ASSERT_FALSE(mesh.positions.empty());
   double least = 9, most = 0;
-  for (const auto& corner : mesh.corners) {
-    const double rho = std::hypot(corner.at.x, corner.at.z);
+  for (const auto& position : mesh.positions) {
+    const glm::vec3 at = vec(position);
+    const double rho = std::hypot(at.x, at.z);
     EXPECT_LT(std::abs(rho - kCentre), kRadius * 1.1);
-    EXPECT_LT(std::abs(double{corner.at.y} - kHeight), kRadius * 1.001);
-    least = std::min(least, angle_of(corner.at));
-    most = std::max(most, angle_of(corner.at));
+    EXPECT_LT(std::abs(double{at.y} - kHeight), kRadius * 1.001);
+    least = std::min(least, angle_of(at));
+    most = std::max(most, angle_of(at));
   }
   EXPECT_GT(least, first - end);
   EXPECT_LT(least, first);
@@ -112,22 +112,22 @@ TEST(CoilMesh, LiesWhereItWasLaidAndTurnsWithTheClay) {
 
 TEST(CoilMesh, OverTheOpeningOfACutAwayPotItIsCutFlat) {
   const Opening opening{1.0f, 0.8f};
-  const CoilMesh mesh = drawn(laid(0, kPlaces), 0.0, opening);
-  ASSERT_FALSE(mesh.corners.empty());
+  const TriangleMesh mesh = drawn(laid(0, kPlaces), 0.0, opening);
+  ASSERT_FALSE(mesh.positions.empty());
   int flat = 0;
-  for (const auto& corner : mesh.corners) {
-    const double a = angle_of(corner.at);
+  for (std::size_t n = 0; n < mesh.positions.size(); ++n) {
+    const double a = angle_of(vec(mesh.positions[n]));
     EXPECT_FALSE(a > 1.0 && a < 1.8) << a;
     const glm::vec3 along(-std::sin(a), 0, std::cos(a));
-    flat += std::abs(glm::dot(corner.normal, along)) > 0.99f;
+    flat += std::abs(glm::dot(vec(mesh.normals[n]), along)) > 0.99f;
   }
   EXPECT_EQ(flat, 2 * 2 * 14) << "two faces, a ring and its middle each";
 }
 
 TEST(CoilMesh, WhereNothingLiesNothingIsDrawn) {
-  EXPECT_TRUE(drawn(CoilOnRim{}).indices.empty());
-  EXPECT_TRUE(drawn(laid(0, 0)).indices.empty());
-  EXPECT_TRUE(drawn(laid(10, 20), 0.0, {0.0f, 6.3f}).indices.empty()) << "all cut away";
+  EXPECT_TRUE(drawn(CoilOnRim{}).triangles.empty());
+  EXPECT_TRUE(drawn(laid(0, 0)).triangles.empty());
+  EXPECT_TRUE(drawn(laid(10, 20), 0.0, {0.0f, 6.3f}).triangles.empty()) << "all cut away";
 }
 
 }  // namespace

@@ -445,7 +445,12 @@ TEST(ChooseScreen, AVesselThatWasBuiltOffersThatFirstAndToThrowItSecond) {
     v.frames(1);
     v.touch("choose.card.1");
     v.frames(1);
-    const std::string words = words_in(v.frame);
+    std::string words = words_in(v.frame);
+    for (int part = 0; part < 4 && v.visit->control("choose.more"); ++part) {
+      v.touch("choose.more");
+      v.frames(1);
+      words += words_in(v.frame);
+    }
     for (const char* said :
          {"Build it from coils", "Throw it on the wheel",
           "Its coils are 13 mm thick here; at its real size they would be 4 cm."})

@@ -34,7 +34,7 @@ struct Builder {
 
   void frames(double seconds) {
     for (double t = 0; t < seconds - 1e-9; t += 0.016) {
-      hand.follow(clay());
+      hand.follow(clay(), 0.016);
       host.hand(0, hand.input(camera, clay()));
       host.advance(16);
       host.collect();

@@ -189,7 +189,7 @@ TEST(Potter, APotThatIsNotBuiltHasNoCoil) {
   Stepped wheel(small_scene());
   wheel.host.hold_coil(true);
   wheel.host.hand(0, press_at(small_scene(), 0.001));
-  wheel.host.advance(200);
+  wheel.host.advance(20);
   wheel.host.collect();
   EXPECT_EQ(wheel.host.view().coil.diameter, 0.0);
   EXPECT_TRUE(wheel.host.view().coil.centre.empty());
