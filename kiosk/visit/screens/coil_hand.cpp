@@ -12,11 +12,11 @@ constexpr double kPressed = 0.04;  // coils into the rim: it rests on an uneven 
 constexpr double kMeant = 1.5;  // coils from the rim's middle: a finger farther off moves nothing
 constexpr double kRound = 0.7;  // of the rim's radius: a finger that goes so far goes round
 constexpr double kRisen = 0.5;  // coils that the rim rises as a ring closes
-constexpr double kOnTop = 0.0005;  // m inside the wall's edge: farther out it would slip off
-constexpr double kEdge = 0.003;    // m: the rim's edges are so round (rim_touched)
+constexpr double kOnTop = 0.0005;     // m inside the wall's edge: farther out it would slip off
+constexpr double kRoundEdge = 0.003;  // m: the rim's edges are so round (rim_touched)
 // A hand whose coil became a ring is off the rim for so many s, by so much, m. It has no coil until
 // it is clear.
-constexpr double kNextCoil = 0.35, kClear = 0.002;
+constexpr double kNextCoil = 0.35, kOffRim = 0.002;
 
 /// The wall's top where a hand is.
 struct Rim {
@@ -41,7 +41,7 @@ struct Rim {
   }
   /// How far a coil at `radius` lies lower than on the flat of the rim, m.
   double sinks(double radius, double coil) const {
-    const double edge = std::min(kEdge, 0.5 * (outer - inner)), reach = 0.5 * coil + edge;
+    const double edge = std::min(kRoundEdge, 0.5 * (outer - inner)), reach = 0.5 * coil + edge;
     const double inside = solid() ? 0.0 : inner + edge - radius;
     const double over = std::min(std::max({radius - outer + edge, inside, 0.0}), reach);
     return reach - std::sqrt(reach * reach - over * over);
@@ -125,7 +125,7 @@ HandInput CoilHand::input(const view::Camera& camera, const ClayView& clay) cons
   const Rim rim = Rim::at(clay, way);
   const double radius = there ? rim.middle(diameter_) : rim.within(radius_, diameter_);
   hand.position = radius * way;
-  hand.position.y = height - rim.sinks(radius, diameter_) + (off_ > 0 ? kClear : 0.0);
+  hand.position.y = height - rim.sinks(radius, diameter_) + (off_ > 0 ? kOffRim : 0.0);
   return hand;
 }
 
