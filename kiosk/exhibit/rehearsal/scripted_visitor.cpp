@@ -191,6 +191,10 @@ Result<void> ScriptedVisitor::on_throw(double now) {
                    "It got no further for a minute: the wheel turns too slowly for it.",
                    "Set max_speed in the scene's [wheel] to 1 or more.");
   }
+  if (touched_ && now - furthest_at_ > kStuck)
+    return problem("the script " + plan_.script,
+                   "Its hands never touched the clay, and only a touched pot can be called done.",
+                   "Choose a script that works in the scene of this vessel.");
   if (!half_shown_ && progress() > 0.5) {
     half_shown_ = true;
     pass("throw");

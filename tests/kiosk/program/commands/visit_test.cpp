@@ -136,6 +136,41 @@ TEST(Visit, OnAWheelThatCannotTurnItEndsWithAWordOfTheWheel) {
   EXPECT_NE(run.err.find("max_speed"), std::string::npos) << run.err;
 }
 
+// A finger so thin passes above the rim, where the script's coil would lie.
+TEST(Visit, WhereTheScriptNeverTouchesTheClayItEndsWithAWordOfTheScript) {
+  const ScratchFolder folder;
+  const std::string file =
+      write_exhibit(folder, "first_touch", "[vessel_scenes]\nmoon_jar = \"thin.toml\"\n", kFew);
+  std::ofstream(folder / "thin.toml")
+      << "[clay]\nrows = 160\nsectors = 120\n[tool]\nradius = 0.002\n";
+  const Outcome run = onggi("visit --script coil_up --window 640x480 --vessel moon_jar --config " +
+                            file + " --out " + (folder / "out").string());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("never touched the clay"), std::string::npos) << run.err;
+}
+
+TEST(Visit, AVesselWithABuiltSceneIsBuiltOfCoilsAndThrownInItsOther) {
+  const ScratchFolder folder;
+  const std::string file = write_exhibit(folder, "first_touch",
+                                         "[built_scenes]\ncylinder_vase = \"built.toml\"\n", kFew);
+  std::ofstream(folder / "built.toml")
+      << "[clay]\nrows = 200\nsectors = 60\n[volume]\n[building]\ncoil = 0.02\n[kiln]\n";
+  double scores[2];
+  for (const bool built : {false, true}) {
+    const Outcome run = onggi(std::string("visit --script ") + (built ? "build" : "true") +
+                              " --window 640x480 --vessel cylinder_vase --json - --config " + file +
+                              " --out " + (folder / (built ? "built" : "thrown")).string());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json visit = Json::parse(run.out);
+    scores[built ? 1 : 0] = visit["score"].get<double>();
+    const Outcome replay = onggi("replay --json - " + visit["files"][2].get<std::string>());
+    EXPECT_EQ(Json::parse(replay.out)["state_hash"], visit["state_hash"]) << "coils and all";
+    EXPECT_EQ(visit["measures"]["made"]["wall_mean"].get<double>() > 0.014, built)
+        << "as thick as a coil";
+  }
+  EXPECT_GT(scores[1], 50.0);
+}
+
 /// An exhibit with the missions that come with onggi, and a scene whose pots are soon thrown.
 std::string with_missions(const ScratchFolder& folder) {
   std::ofstream(folder / "coarse.toml") << "[clay]\nrows = 160\nsectors = 120\n[walls]\n";
