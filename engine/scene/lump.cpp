@@ -70,11 +70,12 @@ void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
 // The floor of a pot that is built of coils: a disc as wide as the target's foot.
 void beat_a_floor(const Profile& target, ClayDef& def) {
   const double row = def.height / def.rows;
-  def.height = def.floor_thickness = kBuiltFloor;
-  def.rows = std::max(kFewestRows, static_cast<int>(std::lround(kBuiltFloor / row)));
+  def.height = def.floor_thickness = std::max(kBuiltFloor, def.floor_min);
+  def.rows = std::max(kFewestRows, static_cast<int>(std::lround(def.height / row)));
   def.inner_radius = def.radius_min;
-  def.outer_radius = std::clamp(widest_below(target, kBuiltFloor),
-                                def.radius_min + def.wall_min + 0.001, 0.95 * def.radius_max);
+  const double least = def.radius_min + def.wall_min + 0.001;
+  def.outer_radius =
+      std::clamp(widest_below(target, def.height), least, std::max(least, 0.95 * def.radius_max));
 }
 
 }  // namespace

@@ -127,6 +127,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   root.text("drawing", pack.drawing);
   root.text("decoration", pack.decoration);
   root.text("way", pack.way);
+  root.boolean("built", pack.built);
   root.texts("glazes", pack.glazes);
   double mm = 0.0;
   if (root.number("true_height_mm", mm, 5.0, 5000.0, "mm")) pack.true_height = 0.001 * mm;

@@ -285,6 +285,7 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
   vessel.labels = pack.labels;
   vessel.credit = pack.credit_line();
   vessel.way = pack.way;
+  vessel.built = pack.built;
   vessel.glazes = pack.glazes;
   vessel.licence = pack.licence;
   vessel.source = pack.source;

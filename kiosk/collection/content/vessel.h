@@ -44,7 +44,8 @@ struct Vessel {
   std::map<std::string, Label> labels;  ///< By language; may be empty for a bare file.
   GltfCredit given;                     ///< What the file says about itself.
   std::string credit, licence, source;
-  std::string way;  ///< Id of the way that visitors decorate it in; empty: the usual one.
+  bool built = false;  ///< It was built of coils, not thrown.
+  std::string way;     ///< Id of the way that visitors decorate it in; empty: the usual one.
   std::vector<std::string> glazes;  ///< Ids of its own glazes, which are offered first.
   /// Where its makers began, if it has a good decoration.toml.
   std::vector<decoration::Start> starts;

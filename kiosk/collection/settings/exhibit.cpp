@@ -40,14 +40,13 @@ void read_title(Table& root, const std::vector<std::string>& languages,
   for (const std::string& code : languages) out.try_emplace(code, other);
 }
 
-void read_scenes(Table table, const fs::path& folder, const char* usual,
-                 std::map<std::string, fs::path>& scenes) {
+void read_vessel_scenes(Table table, const fs::path& folder, Exhibit& exhibit) {
   std::error_code error;
   for (const std::string& vessel : table.keys()) {
-    fs::path scene = usual;
+    fs::path scene = "scenes/master.toml";
     if (!read_path(table, vessel, folder, scene)) continue;
     if (fs::is_regular_file(scene, error))
-      scenes[vessel] = scene;
+      exhibit.vessel_scenes[vessel] = scene;
     else
       table.complain(vessel, "There is no scene " + scene.string() + ".",
                      "Write " + vessel + " = \"FILE\" with one of the files in scenes/.");
@@ -81,8 +80,7 @@ ExhibitRead read_exhibit(const fs::path& file, const fs::path& language_folder) 
   read_listed(root, folder, language_folder, read);
   // Tables whose keys are languages, vessels and days.
   read_title(root, exhibit.languages, exhibit.title);
-  read_scenes(root.child("vessel_scenes"), folder, "scenes/master.toml", exhibit.vessel_scenes);
-  read_scenes(root.child("built_scenes"), folder, "scenes/built.toml", exhibit.built_scenes);
+  read_vessel_scenes(root.child("vessel_scenes"), folder, exhibit);
   read_hours(root.child("hours"), exhibit.hours);
   check_keepsake_place(root.child("keepsake"), exhibit, language_folder);
   root.finish();

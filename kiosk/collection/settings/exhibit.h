@@ -38,12 +38,12 @@ struct Exhibit {
   std::filesystem::path scene = "scenes/first_touch.toml";  ///< TOML of the scene.
   /// By a vessel's id on the shelf: the scene for it, instead of `scene`.
   std::map<std::string, std::filesystem::path> vessel_scenes;
-  /// Likewise: a scene in which visitors may build the vessel of coils, and are offered that first.
-  std::map<std::string, std::filesystem::path> built_scenes;
   std::filesystem::path rubric_file = "rubric.toml";  ///< TOML of the rubric; may be absent.
   Rubric rubric;                                      ///< Its values, or the defaults.
   std::filesystem::path glazes =
       "../content/glazes.toml";  ///< The glazes to choose from; used where the scene has a kiln.
+  bool build = true;  ///< Visitors may build the vessels that were built (Vessel::built),
+  std::optional<std::filesystem::path> built_scene;  ///< in this scene; absent: they throw them.
   /// Folder of the ways to decorate a pot, a TOML each; absent: none.
   std::optional<std::filesystem::path> ways;
   bool decorate = true;  ///< Visitors may decorate their pots.

@@ -158,8 +158,8 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
   if (fs::is_regular_file(exhibit.rubric_file, ignored)) look(report, exhibit.rubric_file);
   // read_exhibit has reported missing files; check the existing ones.
   std::set<fs::path> scenes{exhibit.scene};
-  for (const auto* each : {&exhibit.vessel_scenes, &exhibit.built_scenes})
-    for (const auto& [vessel, scene] : *each) scenes.insert(scene);
+  for (const auto& [vessel, scene] : exhibit.vessel_scenes) scenes.insert(scene);
+  if (exhibit.built_scene) scenes.insert(*exhibit.built_scene);
   for (const fs::path& scene : scenes)
     if (fs::is_regular_file(scene, ignored)) check_scene(report, scene);
   if (fs::is_regular_file(exhibit.glazes, ignored))

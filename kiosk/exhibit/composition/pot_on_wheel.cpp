@@ -36,7 +36,7 @@ void PotOnWheel::begin(Order order) {
 
 void PotOnWheel::start(const screens::StartPot& wish, const screens::ShelfCard& card) {
   Order order;
-  const SceneDef* built = wish.built ? scenes_.built(card.vessel->id) : nullptr;
+  const SceneDef* built = wish.built ? scenes_.built(*card.vessel) : nullptr;
   order.def = built != nullptr ? *built : scenes_.of(card.vessel->id);
   order.def.clay = lump_for(card.target, order.def);
   order.target = card.target;

@@ -38,8 +38,8 @@ std::vector<fs::path> folders_of(const fs::path& file) {
                                 device_file(exhibit, device::DeviceKind::space_mouse).parent_path(),
                                 files::language_folder(file),
                                 exhibit.shelf};
-  for (const auto* each : {&exhibit.vessel_scenes, &exhibit.built_scenes})
-    for (const auto& [vessel, scene] : *each) folders.insert(scene.parent_path());
+  for (const auto& [vessel, scene] : exhibit.vessel_scenes) folders.insert(scene.parent_path());
+  if (exhibit.built_scene) folders.insert(exhibit.built_scene->parent_path());
   if (exhibit.lesson) folders.insert(exhibit.lesson->parent_path());
   if (exhibit.ways) folders.insert(*exhibit.ways);
   if (exhibit.missions) folders.insert(exhibit.missions->parent_path());

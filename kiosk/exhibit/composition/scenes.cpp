@@ -25,13 +25,16 @@ constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
 Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attract_scripts) {
   take(exhibit, exhibits_, exhibit.scene);
   bool fires = exhibits_.kiln.has_value();
-  for (const auto& [files, own] :
-       {std::pair{&exhibit.vessel_scenes, &vessels_}, {&exhibit.built_scenes, &built_}})
-    for (const auto& [id, file] : *files) {
-      SceneDef& def = (*own)[id];
-      take(exhibit, def, file);
-      fires = fires || def.kiln;
-    }
+  for (const auto& [id, file] : exhibit.vessel_scenes) {
+    SceneDef& own = vessels_[id];
+    take(exhibit, own, file);
+    fires = fires || own.kiln;
+  }
+  if (exhibit.build && exhibit.built_scene) {
+    built_ = std::make_unique<SceneDef>();
+    take(exhibit, *built_, *exhibit.built_scene);
+    fires = fires || built_->kiln;
+  }
   if (exhibit.decorate && exhibit.ways) {
     WaysRead ways = read_ways(*exhibit.ways);
     files::log_problems(ways.problems);
@@ -126,9 +129,8 @@ const decoration::Way* Scenes::way_of(const content::Vessel& vessel) const {
   return found.way;
 }
 
-const SceneDef* Scenes::built(const std::string& id) const {
-  const auto own = built_.find(id);
-  return own != built_.end() && own->second.building ? &own->second : nullptr;
+const SceneDef* Scenes::built(const content::Vessel& vessel) const {
+  return vessel.built && built_ && built_->building ? built_.get() : nullptr;
 }
 
 screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
@@ -170,6 +172,7 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
   });
   if (def.building) {
     wheel.coil = def.building->coil;
+    wheel.pace = def.building->pace;
     wheel.tools.insert(wheel.tools.begin(), {0, kCoil, 0.5 * *wheel.coil, 0.5 * *wheel.coil});
   }
   for (const std::string& script : attract_scripts_)
@@ -178,6 +181,8 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
         (info->shows.empty() ? info->needs.target : shows_its_effect(*info, def)))
       wheel.shown.push_back(script);
   if (wheel.shown.empty()) wheel.shown.push_back("follow");
+  // Nobody can throw a floor.
+  if (def.building) std::ranges::replace(wheel.shown, std::string("follow"), std::string("build"));
   if (def.kiln && !glazes_.empty())
     wheel.kiln =
         screens::Kiln{size_after(*def.kiln, {1.0, 0.0}), size_after(*def.kiln, {1.0, 1.0}),
@@ -189,6 +194,10 @@ settings::Problems unknown_names(const settings::Exhibit& exhibit,
                                  const std::vector<std::string>& ids) {
   toml::TomlReader reader(exhibit.file);
   auto root = reader.root();
+  if (exhibit.built_scene && !settings::read_scene(*exhibit.built_scene).def.building)
+    root.complain("built_scene",
+                  exhibit.built_scene->string() + " has no [building], so nothing is built in it.",
+                  "Name a scene that has, such as scenes/built.toml, or remove the line.");
   const auto remedy = [&ids](const std::string& id, const char* otherwise) {
     const std::string nearest = nearest_name(id, ids);
     return nearest.empty() ? otherwise : "Did you mean " + nearest + "?";
@@ -199,14 +208,11 @@ settings::Problems unknown_names(const settings::Exhibit& exhibit,
       if (const std::string& id = (*listed)[n]; std::ranges::find(ids, id) == ids.end())
         root.complain_at(key, n, "There is no vessel \"" + id + "\" on the shelf.",
                          remedy(id, "Write the name of its folder on the shelf, or remove it."));
-  for (const auto& [key, named] : {std::pair{"vessel_scenes", &exhibit.vessel_scenes},
-                                   {"built_scenes", &exhibit.built_scenes}}) {
-    auto scenes = root.child(key);
-    for (const auto& [id, scene] : *named) {
-      if (std::ranges::find(ids, id) != ids.end()) continue;
-      scenes.complain(id, "There is no vessel \"" + id + "\" on the shelf.",
-                      remedy(id, "Write the name of its folder on the shelf, or remove the line."));
-    }
+  auto scenes = root.child("vessel_scenes");
+  for (const auto& [id, scene] : exhibit.vessel_scenes) {
+    if (std::ranges::find(ids, id) != ids.end()) continue;
+    scenes.complain(id, "There is no vessel \"" + id + "\" on the shelf.",
+                    remedy(id, "Write the name of its folder on the shelf, or remove the line."));
   }
   std::vector<std::string> shown;  // "follow", and scripts that show an effect
   for (const ScriptInfo& script : scripts())

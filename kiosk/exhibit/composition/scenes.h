@@ -37,8 +37,8 @@ class Scenes {
 
   /// The scene of vessel `id` on the shelf, with the exhibit's share of force.
   const SceneDef& of(const std::string& id) const;
-  /// The one in which it may be built of coils; null: it is only thrown.
-  const SceneDef* built(const std::string& id) const;
+  /// The one in which `vessel` may be built of coils; null: it is only thrown.
+  const SceneDef* built(const content::Vessel& vessel) const;
   /// The part of a scene of `vessel` that the screens need, with its way and its glazes first.
   screens::SceneForVisitor for_visitor(const SceneDef& def, const content::Vessel& vessel) const;
   const std::vector<content::Glaze>& glazes() const { return glazes_; }
@@ -58,7 +58,8 @@ class Scenes {
   const decoration::Way* way_of(const content::Vessel& vessel) const;
 
   SceneDef exhibits_;
-  std::map<std::string, SceneDef> vessels_, built_;
+  std::map<std::string, SceneDef> vessels_;
+  std::unique_ptr<SceneDef> built_;
   std::vector<ToTune> to_tune_;  // the first is in work while tuner_ exists
   std::unique_ptr<tuning::BackgroundTuner> tuner_;
   std::string machine_;
@@ -70,8 +71,9 @@ class Scenes {
   std::vector<std::string> attract_scripts_;
 };
 
-/// Unknown names in the exhibit: vessels in `order`, `hidden`, [vessel_scenes] and [built_scenes]
-/// that are not among the shelf's `ids` (hidden ones too), and scripts in [attract]. In file order.
+/// Unknown names in the exhibit: vessels in `order`, `hidden` and [vessel_scenes] that are not
+/// among the shelf's `ids` (hidden ones too), scripts in [attract], and a `built_scene` without
+/// coils. In file order.
 settings::Problems unknown_names(const settings::Exhibit& exhibit,
                                  const std::vector<std::string>& ids);
 

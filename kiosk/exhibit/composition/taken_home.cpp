@@ -73,7 +73,9 @@ Result<TakingHome> TakingHome::begin(const screens::MakeKeepsake& request,
                                      const content::KeepsakeNames& names,
                                      loop::WheelHost& wheel_host, const std::string& token) {
   const content::Label label = card.vessel->label(language.code());
-  const auto fired_in = request.glaze >= 0 ? card.wheel.kiln : std::nullopt;
+  const screens::SceneForVisitor& scene_of_pot =
+      request.built && card.built ? *card.built : card.wheel;
+  const auto fired_in = request.glaze >= 0 ? scene_of_pot.kiln : std::nullopt;
   const content::Glaze* glaze =
       fired_in ? &(*fired_in->glazes)[static_cast<std::size_t>(request.glaze)] : nullptr;
   TakingHome taking;

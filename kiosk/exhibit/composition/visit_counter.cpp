@@ -17,8 +17,7 @@ VisitCounter::VisitCounter(const fs::path& file, const settings::Exhibit& exhibi
       store_(file, exhibit.store.months, store::StoreThread::kDaily, fetched) {
   for (const auto& [vessel, scene] : exhibit.vessel_scenes)
     vessel_scenes_[vessel] = scene.stem().string();
-  for (const auto& [vessel, scene] : exhibit.built_scenes)
-    built_scenes_[vessel] = scene.stem().string();
+  if (exhibit.built_scene) built_scene_ = exhibit.built_scene->stem().string();
 }
 
 void VisitCounter::finish() {
@@ -29,9 +28,9 @@ void VisitCounter::finish() {
 
 std::string VisitCounter::scene_of(const std::string& vessel, bool built) const {
   if (vessel.empty()) return {};
-  const auto& scenes = built ? built_scenes_ : vessel_scenes_;
-  const auto own = scenes.find(vessel);
-  return own == scenes.end() ? scene_ : own->second;
+  if (built) return built_scene_;
+  const auto own = vessel_scenes_.find(vessel);
+  return own == vessel_scenes_.end() ? scene_ : own->second;
 }
 
 void VisitCounter::visit_over(const screens::VisitNotes& notes, const std::string& vessel,

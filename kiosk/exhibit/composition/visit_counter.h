@@ -35,7 +35,8 @@ class VisitCounter {
   std::string scene_of(const std::string& vessel, bool built) const;
 
   std::string scene_;
-  std::map<std::string, std::string> vessel_scenes_, built_scenes_;
+  std::map<std::string, std::string> vessel_scenes_;
+  std::string built_scene_;
   std::map<int, bool> saved_;                  ///< By ticket: whether the keepsake was saved.
   std::map<int, store::VisitRecord> waiting_;  ///< By ticket: visits that are over.
   store::StoreThread store_;

@@ -44,7 +44,9 @@ std::vector<std::string> VisitPlan::wanted() const {
     case Step::card:
       return {of_.mission.empty() ? of_.vessel : l.say("mission.card") + ", " + of_.mission};
     case Step::take:
-      return {l.say(of_.mission.empty() ? "choose.throw" : "mission.begin")};
+      return {l.say(!of_.mission.empty() ? "mission.begin"
+                    : of_.built          ? "choose.throw_it"
+                                         : "choose.throw")};
     case Step::pot:
       if (!difference_) return {};
       return {part_set_ ? name_of_ask(difference_->ask, l) : name_of_part(difference_->part, l)};

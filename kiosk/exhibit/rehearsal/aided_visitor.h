@@ -21,6 +21,7 @@ class VisitPlan {
   /// when it is close everywhere, or after `strokes`.
   struct Of {
     std::string vessel, mission, glaze;
+    bool built = false;  ///< It may be built of coils, too.
   };
   VisitPlan(const content::Language& language, Of of, int strokes);
 

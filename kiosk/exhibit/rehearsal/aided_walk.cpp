@@ -36,6 +36,7 @@ Result<std::vector<access::Utterance>> walk_aided(
   VisitPlan::Of of;
   of.vessel = card.vessel->label(language.code()).title;
   if (mission != nullptr) of.mission = mission->mission->title_in(language.code());
+  of.built = mission == nullptr && card.built;
   if (card.wheel.kiln)
     of.glaze = kiosk.glazes()[static_cast<std::size_t>(how.glaze)].name_in(language.code());
   const VisitPlan plan(language, of, how.strokes);

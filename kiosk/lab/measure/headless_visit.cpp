@@ -160,7 +160,7 @@ Result<std::unique_ptr<HeadlessVisits>> HeadlessVisits::open(const std::string& 
     if (!scene_read.problems.empty()) return tl::unexpected(scene_read.problems.front());
     out->exhibit_.scene = scene;
     out->exhibit_.vessel_scenes.clear();
-    out->exhibit_.built_scenes.clear();
+    out->exhibit_.built_scene.reset();
   }
   auto languages = exhibit::read_languages(out->exhibit_, language);
   if (!languages) return tl::unexpected(languages.error());

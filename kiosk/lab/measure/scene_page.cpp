@@ -67,7 +67,7 @@ Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE*
   if (!presets) return tl::unexpected(presets.error());
   std::vector<SceneEntry> scenes;
   for (const ScenePreset& preset : *presets) {
-    if (preset.def.paper) continue;
+    if (preset.def.paper || preset.def.building) continue;  // nobody throws there
     const std::filesystem::path file = *root / "config/scenes" / (preset.name + ".toml");
     const auto bytes = files::read_file(file, kMostText);
     if (!bytes)

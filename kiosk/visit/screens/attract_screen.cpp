@@ -142,8 +142,12 @@ class Attract final : public Screen {
   void next_pot() {
     if (desk.cards() == 0) return;
     desk.attract_card = (desk.attract_card + 1) % desk.cards();
-    const SceneForVisitor& wheel = desk.shelf_card(desk.attract_card)->wheel;
+    const ShelfCard& card = *desk.shelf_card(desk.attract_card);
+    const SceneForVisitor& wheel = card.wheel;
     script_ = wheel.shown[desk.attract_turn++ % wheel.shown.size()];
+    // As its makers made it.
+    desk.attract_builds = card.built && follows();
+    if (desk.attract_builds) script_ = "build";
     // If clay keeps its volume, the pot's height needs planning, so the script throws it.
     show_.reset();
     if (follows() && !wheel.keeps_clay) show_.emplace(wheel, desk.screen().left_handed);

@@ -28,14 +28,16 @@ class FirstClay final : public Screen {
  public:
   explicit FirstClay(Desk& d)
       : Screen(d),
+        builds_(std::exchange(d.attract_builds, false)),
         picture_(d.attract_picture ? d.attract_picture : std::make_shared<PotPicture>()),
         hands_(d.wheel(), false),
         speed_(d),
         began_(std::exchange(d.began_on_clay, std::nullopt)) {
     desk.world.wheel_commands->play(nullptr);
-    // Nobody can shape a pot that was cut off or has fallen.
+    // Nobody can shape a pot that was cut off, has fallen, or is half built.
     const auto& felt = desk.status.feedback;
-    if (felt.cut_free > 0 || felt.fallen || felt.torn) desk.start_pot(desk.attract_card, true, "");
+    if (felt.cut_free > 0 || felt.fallen || felt.torn || builds_)
+      desk.start_pot(desk.attract_card, true, "");
     if (desk.pot_ready()) take_over();
   }
   ScreenId id() const override { return ScreenId::clay; }
@@ -165,6 +167,7 @@ class FirstClay final : public Screen {
   }
   void send_hand() { hands_.send(desk, camera_); }
 
+  const bool builds_;  ///< Attract was building it of coils.
   std::shared_ptr<PotPicture> picture_;
   WheelHands hands_;
   WheelSpeed speed_;

@@ -10,8 +10,10 @@ using view::InputEvent;
 namespace {
 constexpr double kPressed = 0.04;  // coils into the rim: it rests on an uneven one too
 constexpr double kMeant = 1.5;  // coils from the rim's middle: a finger farther off moves nothing
-constexpr double kRound = 0.7;  // of the rim's radius: a finger that goes so far goes round
-constexpr double kRisen = 0.5;  // coils that the rim rises as a ring closes
+// Of the rim's radius: a finger that goes so far may go round. Coils inside the rim's middle: a
+// finger there is in front of the pot.
+constexpr double kRound = 0.25, kBefore = 0.75;
+constexpr double kRisen = 0.5;        // coils that the rim rises as a ring closes
 constexpr double kOnTop = 0.0005;     // m inside the wall's edge: farther out it would slip off
 constexpr double kRoundEdge = 0.003;  // m: the rim's edges are so round (rim_touched)
 // A hand whose coil became a ring is off the rim for so many s, by so much, m. It has no coil until
@@ -56,7 +58,8 @@ double CoilHand::middle_of_rim(const ClayView& clay, double diameter) {
 
 bool CoilHand::pointer(const InputEvent& e, const view::Camera& camera, const ClayView& clay) {
   if (e.finger != 0) return false;
-  const double x = camera.on_axis_plane(e.x, e.y).x, middle = middle_of_rim(clay, diameter_);
+  const Vec2 at = camera.on_axis_plane(e.x, e.y);
+  const double x = at.x, middle = middle_of_rim(clay, diameter_);
   switch (e.kind) {
     case InputEvent::Kind::pointer_down:
       lift();
@@ -67,7 +70,10 @@ bool CoilHand::pointer(const InputEvent& e, const view::Camera& camera, const Cl
       break;
     case InputEvent::Kind::pointer_move:
       if (!grabbed_) return false;
-      round_ = round_ || std::abs(x - began_) > kRound * middle;
+      // In front of the pot, not ahead of the rim on the vessel's line; or across the axis.
+      round_ = round_ || (std::abs(x - began_) > kRound * middle &&
+                          (x * began_ < 0 || (std::abs(x) < middle - kBefore * diameter_ &&
+                                              at.y < clay.rim_height() + diameter_)));
       break;
     case InputEvent::Kind::pointer_up:
       if (!grabbed_) return false;

@@ -61,7 +61,7 @@ const SceneForVisitor& Desk::wheel() const {
   static const SceneForVisitor kNone;
   const ShelfCard* shelf = shelf_card(card != -1 ? card : attract_card);
   if (shelf == nullptr) return kNone;
-  return built && card != -1 && shelf->built ? *shelf->built : shelf->wheel;
+  return (card != -1 ? built : attract_builds) && shelf->built ? *shelf->built : shelf->wheel;
 }
 
 int Desk::missions() const {
@@ -161,6 +161,7 @@ void Desk::keep_pot() {
   const std::uint64_t decoration = decoration_hash();
   if (kept != Kept::not_asked && kept_glaze_ == glaze && kept_decoration_ == decoration) return;
   MakeKeepsake wish{card, score, made, glaze};
+  wish.built = built;
   if (decorated && !decorated->bare()) {
     decorated->lift();
     decorated->end_work();
@@ -178,7 +179,7 @@ void Desk::keep_pot() {
 }
 
 void Desk::start_pot(int index, bool scripted, const std::string& script) {
-  requests.emplace_back(StartPot{index, scripted, script, built && !scripted});
+  requests.emplace_back(StartPot{index, scripted, script, scripted ? attract_builds : built});
   if (!scripted) notes.pot();
   figures.reset();
   fresh_clay();

@@ -72,6 +72,7 @@ class Desk {
   };
   std::optional<Began> began_on_clay;
   int attract_card = -1;  ///< Attract's vessel; advances along the shelf, with or without visitors.
+  bool attract_builds = false;   ///< It is built of coils.
   std::size_t attract_turn = 0;  ///< Attract's script; advances through the scripts.
 
   void go(ScreenId id) { next = id; }

@@ -95,7 +95,7 @@ std::vector<std::string> all_hints(const Desk& desk) {
   for (const char* key : {"hint.wheel_still", "hint.begin", "hint.dry", "hint.close"})
     all.push_back(desk.say(key));
   if (desk.wheel().coil)
-    for (const char* key : {"hint.lay_coil", "hint.take_coil", "hint.high_enough"})
+    for (const char* key : {"hint.lay_coil", "hint.take_coil", "hint.lay_ring", "hint.high_enough"})
       all.push_back(desk.say(key));
   for (const auto& said : kWithoutPlace) all.push_back(desk.say(said.second));
   if (desk.described() != nullptr)

@@ -268,7 +268,10 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
 /// advice.
 std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
   if (!now.news.empty()) return desk.say(now.news);
-  if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
+  if (hint.key == "hint.wheel_still" || hint.key == "hint.dry" || hint.key == "hint.high_enough")
+    return words_of(hint, desk);
+  // A button lays the coil.
+  if (hint.key == "hint.lay_coil" || hint.key == "hint.take_coil") return desk.say("hint.lay_ring");
   if (desk.described() != nullptr) return StrokeBoard::advice(desk);
   if (desk.two_hands() && !now.board->begun()) return desk.say("mission.by_buttons");
   return desk.pot_ready() ? StrokeBoard::told(desk, now.parts, 1).front() : std::string();

@@ -35,6 +35,7 @@ namespace {
 constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
 // Opacity of the pot: faint words over black clay keep a contrast of 4.5.
 constexpr double kBehindTools = 0.05;
+constexpr double kSurelyLays = 0.8;   // of the pace at which the rim takes a coil, at the belly
 constexpr std::size_t kCoilTool = 1;  // its index in the tray, where there is one
 constexpr int kGoodPot = 4;           // stars: from here on nothing need be corrected
 
@@ -49,7 +50,10 @@ class Throwing final : public Screen {
   std::string first_focus() const override {
     if (!by_buttons()) return "";
     const bool shows = !desk.touched && aim() != nullptr && !dark() && !hands_.two();
-    const char* usual = !menu_ ? StrokeBoard::kFirst : shows ? "throw.show" : "throw.done";
+    const char* usual = coil_    ? "throw.show"
+                        : !menu_ ? StrokeBoard::kFirst
+                        : shows  ? "throw.show"
+                                 : "throw.done";
     return drawer_ != Drawer::closed ? "throw.less" : mishap_ ? "throw.restore" : usual;
   }
 
@@ -60,7 +64,8 @@ class Throwing final : public Screen {
       desk.world.wheel_commands->pause(false);
       speed_.send(desk);
       desk.world.wheel_commands->water(water_.wet());
-      if (wants_coil() || coil_) take_up(wants_coil() ? kCoilTool : 0);
+      // A pot that comes back from its result has what its hands held then.
+      if (desk.wheel().coil || coil_) take_up(wants_coil() ? kCoilTool : 0);
     }
     if (done_) return finish();
     // The pot is cut off, so the throwing is over.
@@ -95,10 +100,10 @@ class Throwing final : public Screen {
     look_how_good(target);
     // Say nothing about the previous pot.
     if (desk.pot_ready())
-      hint_.update(desk.now,
-                   {target, &picture_.made(), score_ ? &*score_ : nullptr, speed_.asked() > 0.5,
-                    grip_, desk.touched, water_.asked_for(), desk.wheel().tool_radius,
-                    desk.wheel().coil.value_or(0.0), coil_.has_value(), MeasuredPot::hint(desk)});
+      hint_.update(desk.now, {target, &picture_.made(), score_ ? &*score_ : nullptr,
+                              speed_.asked() > 0.5, grip_, desk.touched, water_.asked_for(),
+                              desk.wheel().tool_radius, may_build() ? *desk.wheel().coil : 0.0,
+                              coil_.has_value(), MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -140,7 +145,7 @@ class Throwing final : public Screen {
                                water_.would_help(),
                                onward,
                                desk.status.can_restore && whole,
-                               show_.button(desk, aim() == nullptr || dark() || hands_.two()),
+                               show_button(),
                                whole && LessonLine::shown(desk) != nullptr,
                                drawer_,
                                held_,
@@ -180,6 +185,7 @@ class Throwing final : public Screen {
       let_go();
       clay_.renewed(desk);
       desk.world.wheel_commands->renew();
+      if (may_build()) take_up(kCoilTool);
     } else if (control == "throw.restore") {
       let_go();
       clay_.undone(desk);
@@ -302,7 +308,9 @@ class Throwing final : public Screen {
     if (mishap_) return std::nullopt;
     // With eyes closed, the difference is told after every stroke.
     const int asked = board_.asked() + (dark() ? strokes_ : 0);
-    return PotTold{working(), asked, StrokeBoard::told(desk, parts())};
+    return PotTold{working(), asked,
+                   wants_coil() ? std::vector<std::string>{desk.say("hint.lay_ring")}
+                                : StrokeBoard::told(desk, parts())};
   }
 
  private:
@@ -315,6 +323,11 @@ class Throwing final : public Screen {
     return parts_off(desk.shelf_card(desk.card), picture_.made());
   }
   void make_stroke(device::Ask ask) {
+    // No stroke shapes a wall that is not there.
+    if (wants_coil()) {
+      if (!coil_) take_up(kCoilTool);
+      return lay_a_ring();
+    }
     if (held_ > 0) take_up(0);
     const ClayView& clay = desk.world.wheel->clay;
     if (const Profile* target = aim(); target != nullptr && clay.rows() > 0)
@@ -326,6 +339,16 @@ class Throwing final : public Screen {
     if (!coil_) return hands_.send(desk, camera_);
     desk.world.wheel_commands->hand(0, coil_->input(camera_, desk.world.wheel->clay));
     desk.world.wheel_commands->hand(1, {});
+  }
+  /// "Show me", or "Lay a ring" with a coil in the hand.
+  Button show_button() const {
+    Button button = show_.button(desk, aim() == nullptr || dark() || hands_.two());
+    if (!coil_) return button;
+    if (coil_->by_itself())
+      button.look = Look::chosen;
+    else if (!wants_coil())
+      button.id.clear();
+    return button;
   }
   /// A coil lays one ring by itself, as the line asks for it.
   void lay_a_ring() {
@@ -339,17 +362,21 @@ class Throwing final : public Screen {
     coil_->lay_a_ring(key_sign(), target->outer_at(top) - 0.5 * coil, clay);
     send_hand();
   }
-  /// The wall is not there yet. Two visitors have their hands full.
+  /// Two visitors have their hands full.
+  bool may_build() const { return desk.wheel().coil && !hands_.two(); }
+  /// The wall is not there yet.
   bool wants_coil() const {
     const auto coil = desk.wheel().coil;
     const ShelfCard* card = desk.shelf_card(desk.card);
-    return coil && !hands_.two() && card != nullptr &&
+    return may_build() && card != nullptr &&
            lacks_a_ring(desk.world.wheel->clay.rim_height(), card->target.height(), *coil);
   }
   void hold_coil(bool on) {
     coil_ = on ? std::optional<CoilHand>(*desk.wheel().coil) : std::nullopt;
     desk.world.wheel_commands->hold_coil(on);
-    speed_.lay(on, desk);
+    const ShelfCard* card = desk.shelf_card(desk.card);
+    const double widest = card != nullptr ? card->target.max_radius() : 0.0;
+    speed_.lay(on, widest > 0 ? kSurelyLays * desk.wheel().pace / widest : 0.0, desk);
   }
   /// The target outline, if a hand may work towards it.
   const Profile* aim() const {
@@ -358,7 +385,7 @@ class Throwing final : public Screen {
   }
   void hold_with(Grip grip) {
     grip_ = grip;
-    if (grip == Grip::both) take_up(0);
+    if (grip == Grip::both || coil_) take_up(0);
     // A hand that works alone inside a closed wall is invisible.
     if (!cut_chosen_) cut_ = grip_ == Grip::inside;
     let_go();
@@ -373,6 +400,7 @@ class Throwing final : public Screen {
   void take_up(std::size_t which) {
     const SceneForVisitor wheel = desk.wheel();
     if (which > wheel.tools.size() || cut_off_) return;
+    if (wheel.coil && which == kCoilTool && !may_build()) return;
     let_go();
     show_pot();
     const WallHold::Part fine{0, wheel.tool_radius};

@@ -56,6 +56,7 @@ struct SceneForVisitor {
   /// Diameter of the coil that the pot is built of, m; none: it is not built. The coil is then the
   /// first of `tools`.
   std::optional<double> coil;
+  double pace = 0.5;  ///< m/s: a rim that passes faster takes no coil.
   struct Tool {
     std::uint8_t tool = 0;  ///< HandInput::tool.
     std::string name;       ///< Its shape's name, or "coil"; language keys "tool.flat_rib" and
@@ -110,6 +111,7 @@ struct MakeKeepsake {
   /// Null: not decorated. It may not be settled() yet. Its words are of the visitor's language.
   std::shared_ptr<decorating::DecoratedPot> decorated{};
   std::string decorated_how{};
+  bool built = false;  ///< In the scene of ShelfCard::built.
 };
 /// The visit is over: discard postcard and replay. `notes` is empty if nobody used the screen.
 struct VisitEnded {
@@ -205,7 +207,8 @@ class Visit {
   ///   clay      "clay.on", "clay.press" (for visitors who make strokes by buttons)
   ///   choose    "choose.mission.N" (missions offered today, before the shelf),
   ///             "choose.card.N" (N counts the whole shelf; present only for this page's cards),
-  ///             "choose.next", "choose.previous"; a card opens its label: "choose.throw",
+  ///             "choose.next", "choose.previous"; a card opens its label: "choose.build"
+  ///             (if the vessel may be built of coils), "choose.throw",
   ///             "choose.more" (rest of a long label), "choose.alike" (label of the most similar
   ///             vessel, if any), "back" to the shelf
   ///   throw     "throw.both", "throw.outside", "throw.inside", "throw.slower", "throw.faster",

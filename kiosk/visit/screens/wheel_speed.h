@@ -21,8 +21,10 @@ class WheelSpeed {
   bool press(std::string_view control, const Desk& desk) {
     const bool faster = control == "throw.faster";
     if (!faster && control != "throw.slower") return false;
-    asked_ = std::clamp(asked_ + (faster ? kStep : -kStep), 0.0, desk.wheel().max_speed);
-    if (asked_ < kStep * 0.5) asked_ = 0;
+    const double step = laying_ ? 0.5 * kLaying : kStep;
+    asked_ = std::clamp(asked_ + (faster ? step : -step), 0.0,
+                        laying_ ? most_laying_ : desk.wheel().max_speed);
+    if (asked_ < 0.5 * step) asked_ = 0;
     send(desk);
     return true;
   }
@@ -31,15 +33,18 @@ class WheelSpeed {
     desk.world.wheel_commands->wheel(desk.screen().left_handed ? -asked_ : asked_);
   }
   double asked() const { return asked_; }  ///< rad/s
-  /// A coil is taken up, or put away: each way of working has its speed.
-  void lay(bool on, const Desk& desk) {
+  /// A coil is taken up, or put away: each way of working has its speed. `most`: with a coil,
+  /// rad/s.
+  void lay(bool on, double most, const Desk& desk) {
+    most_laying_ = std::min(most, desk.wheel().max_speed);
     if (std::exchange(laying_, on) == on) return;
     std::swap(asked_, other_);
+    if (on) asked_ = std::min(asked_, most_laying_);
     send(desk);
   }
 
  private:
-  double asked_, other_ = kLaying;
+  double asked_, other_ = kLaying, most_laying_ = kLaying;
   bool laying_ = false;
 };
 

@@ -17,9 +17,18 @@ class CoilByAngle {
 
   /// Loop thread, once a tick: updates the next places, in turn. No allocation.
   void publish(const CoilView& coil) noexcept {
-    height_.store(coil.height, std::memory_order_relaxed);
+    // A ring becomes clay at once, and the rim rises: nothing may stay that lay lower.
+    if (coil.centre.empty()) {
+      if (!lies_) return;
+      for (auto& centre : centre_) centre.store(0.0f, std::memory_order_relaxed);
+      lies_ = false;
+      next_ = 0;
+      return;
+    }
+    if (next_ == 0) height_.store(coil.height, std::memory_order_relaxed);
     for (int n = 0; n < kEachTick; ++n, next_ = (next_ + 1) % kPlaces)
       centre_[static_cast<std::size_t>(next_)].store(at(coil, next_), std::memory_order_relaxed);
+    lies_ = true;
   }
   /// Main thread. Allocates the first time.
   void copy_to(CoilOnRim& coil) const {
@@ -43,7 +52,8 @@ class CoilByAngle {
 
   std::array<std::atomic<float>, kPlaces> centre_{};
   std::atomic<double> height_{0.0};
-  int next_ = 0;
+  int next_ = 0;  // loop thread's, too:
+  bool lies_ = false;
 };
 
 }  // namespace onggi::loop

@@ -22,7 +22,7 @@ bool is_hand(int hand) { return hand >= 0 && hand < kMaxHands; }
 Pot::Pot(Scene made, std::uint32_t number)
     : scene(std::move(made)),
       serial(number),
-      rows(scene.clay().rows(), scene.clay().sectors()),
+      rows(scene.clay().room(), scene.clay().sectors()),  // it may grow
       records(kRecordDepth) {
   scene.mark_all_dirty();
   const auto& moisture = scene.def().moisture;
@@ -111,6 +111,12 @@ void WheelLoop::apply(const command::Lead& wish) noexcept {
 
 void WheelLoop::apply(const command::Take& wish) noexcept {
   if (is_hand(wish.hand)) taken_[static_cast<std::size_t>(wish.hand)] = wish.tool;
+}
+
+void WheelLoop::apply(const command::HoldCoil& wish) noexcept {
+  // A hand that leaves the rim with its coil must not come back as a fingertip in it.
+  if (coil_ != wish.on) off_ = kOff;
+  coil_ = wish.on;
 }
 
 void WheelLoop::apply(const command::Pause& wish) noexcept {

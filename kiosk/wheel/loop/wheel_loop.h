@@ -81,7 +81,7 @@ class WheelLoop {
   void apply(const command::Detach& wish) noexcept;
   void apply(const command::Lead& wish) noexcept;
   void apply(const command::Take& wish) noexcept;
-  void apply(const command::HoldCoil& wish) noexcept { coil_ = wish.on; }
+  void apply(const command::HoldCoil& wish) noexcept;
   void apply(const command::TurnWheel& wish) noexcept { asked_.wheel_speed = wish.rad_per_s; }
   void apply(const command::Water& wish) noexcept { asked_.water = wish.held; }
   void apply(const command::Renew&) noexcept { asked_.renew = true; }

@@ -159,17 +159,14 @@ amphora = 3
   EXPECT_THAT(r.problems[1].where, EndsWith("exhibit.toml:4:11"));
 }
 
-TEST_F(ExhibitTest, a_vessel_may_have_a_scene_in_which_it_is_built) {
+TEST_F(ExhibitTest, vessels_that_were_built_have_a_scene_where_there_is_one) {
+  EXPECT_EQ(read("").exhibit.built_scene, std::nullopt) << "the default file is missing";
   std::ofstream(museum_ / "exhibit/scenes/built.toml") << "";
-  const ExhibitRead r = read(R"([built_scenes]
-onggi = "scenes/built.toml"
-olla = "scenes/bulit.toml"
-)");
-  EXPECT_EQ(r.exhibit.built_scenes,
-            (std::map<std::string, fs::path>{{"onggi", museum_ / "exhibit/scenes/built.toml"}}));
-  EXPECT_THAT(r.exhibit.vessel_scenes, IsEmpty()) << "they are thrown as all others";
+  EXPECT_EQ(read("").exhibit.built_scene, museum_ / "exhibit/scenes/built.toml");
+  const ExhibitRead r = read("built_scene = \"scenes/bulit.toml\"\nbuild = false\n");
   ASSERT_THAT(r.problems, SizeIs(1)) << all(r.problems);
-  EXPECT_THAT(r.problems[0].where, EndsWith("exhibit.toml:3:8"));
+  EXPECT_THAT(r.problems[0].where, EndsWith("exhibit.toml:1:15"));
+  EXPECT_FALSE(r.exhibit.build);
 }
 
 TEST_F(ExhibitTest, all_problems_are_told_at_once_and_good_values_are_kept) {

@@ -93,13 +93,17 @@ TEST_F(PotOnWheelTest, ASteppedVisitHasItsPotAtOnce) {
 
 TEST_F(PotOnWheelTest, AVesselIsBuiltInItsBuiltSceneAndThrownInTheOther) {
   write("built.toml", "[clay]\nrows = 400\nsectors = 48\n[volume]\n[building]\ncoil = 0.02\n");
-  write("thrown.toml", "[clay]\nrows = 60\n");
-  exhibit.built_scenes["small"] = folder.path() / "built.toml";
-  exhibit.built_scenes["large"] = folder.path() / "thrown.toml";
+  exhibit.built_scene = folder.path() / "small.toml";
+  vessels[1].built = true;
+  EXPECT_EQ(Scenes(exhibit).built(vessels[1]), nullptr) << "nothing is built without coils";
+  exhibit.built_scene = folder.path() / "built.toml";
+  exhibit.build = false;
+  EXPECT_EQ(Scenes(exhibit).built(vessels[1]), nullptr) << "the museum does not want it";
+  exhibit.build = true;
   const Scenes scenes(exhibit);
-  EXPECT_EQ(scenes.built("large"), nullptr) << "nothing is built without coils";
-  ASSERT_NE(scenes.built("small"), nullptr);
-  const screens::SceneForVisitor shown = scenes.for_visitor(*scenes.built("small"), vessels[1]);
+  EXPECT_EQ(scenes.built(vessels[0]), nullptr) << "this one was thrown";
+  ASSERT_NE(scenes.built(vessels[1]), nullptr);
+  const screens::SceneForVisitor shown = scenes.for_visitor(*scenes.built(vessels[1]), vessels[1]);
   EXPECT_EQ(shown.coil, 0.02);
   ASSERT_EQ(shown.tools.size(), 1u);
   EXPECT_EQ(shown.tools[0].name, "coil");

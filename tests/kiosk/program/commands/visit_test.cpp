@@ -151,8 +151,8 @@ TEST(Visit, WhereTheScriptNeverTouchesTheClayItEndsWithAWordOfTheScript) {
 
 TEST(Visit, AVesselWithABuiltSceneIsBuiltOfCoilsAndThrownInItsOther) {
   const ScratchFolder folder;
-  const std::string file = write_exhibit(folder, "first_touch",
-                                         "[built_scenes]\ncylinder_vase = \"built.toml\"\n", kFew);
+  const std::string file =
+      write_exhibit(folder, "first_touch", "built_scene = \"built.toml\"\n", kFew);
   std::ofstream(folder / "built.toml")
       << "[clay]\nrows = 200\nsectors = 60\n[volume]\n[building]\ncoil = 0.02\n[kiln]\n";
   double scores[2];

@@ -171,5 +171,35 @@ TEST(ClayScreen, AVisitThatEndsThereIsCountedAsThat) {
     }
 }
 
+TEST(FirstClay, AVesselThatWasBuiltIsBuiltInAttractAndAFingerThereGetsALumpToThrow) {
+  Visitor v(2);
+  for (ShelfCard& card : v.shelf) {
+    card.built = card.wheel;
+    card.built->coil = 0.013;
+    card.built->max_speed = 8.0;
+  }
+  // The next pot of attract.
+  v.status.script_done = true;
+  v.frames(12);
+  const StartPot* last = nullptr;
+  const auto asked = v.requests();
+  for (const Request& r : asked)
+    if (const auto* start = std::get_if<StartPot>(&r)) last = start;
+  ASSERT_NE(last, nullptr);
+  EXPECT_EQ(last->script, "build");
+  EXPECT_TRUE(last->built);
+  EXPECT_NE(words_in(v.frame).find("built of coils"), std::string::npos);
+  v.press_clay();
+  v.frames(0.5);
+  ASSERT_EQ(v.visit->screen(), ScreenId::clay);
+  const auto then = v.requests();
+  ASSERT_FALSE(then.empty());
+  const auto* fresh = std::get_if<StartPot>(&then.front());
+  ASSERT_NE(fresh, nullptr);
+  EXPECT_EQ(fresh->script, "");
+  EXPECT_FALSE(fresh->built);
+  EXPECT_GT(v.wheel_commands.wheels.back(), 8.0) << "of the scene in which it is thrown";
+}
+
 }  // namespace
 }  // namespace onggi::screens::clay_screen_test

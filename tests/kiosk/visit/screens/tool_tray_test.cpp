@@ -223,7 +223,7 @@ TEST(ToolTray, APotThatIsBuiltBeginsWithACoilInTheHandOnASlowWheel) {
   v.frames(3);
   EXPECT_FALSE(v.wheel_commands.coil) << "bare hands";
   EXPECT_EQ(v.wheel_commands.wheels.back(), 8.0) << "at their own speed";
-  EXPECT_NE(words_in(v.frame).find("Take the coil"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("then “Coil”"), std::string::npos);
   v.touch("throw.tools");
   v.touch("throw.tool.1");
   EXPECT_TRUE(v.wheel_commands.coil);
@@ -233,6 +233,48 @@ TEST(ToolTray, APotThatIsBuiltBeginsWithACoilInTheHandOnASlowWheel) {
 TEST(ToolTray, APotThatIsHighEnoughBeginsWithTheHands) {
   AtABuiltPot v(false);
   EXPECT_FALSE(v.wheel_commands.coil);
+}
+
+// The wheel keeps the coil for the pot on it, so the screens must say what is held when they are
+// shown anew.
+TEST(ToolTray, APotThatComesBackFromItsResultIsNotHeldWithTheCoilThatClosedIt) {
+  AtABuiltPot v;
+  ASSERT_TRUE(v.wheel_commands.coil);
+  for (ShelfCard& card : v.shelf) card.target = scaled(card.target, 1.0 / 3.0);  // high enough now
+  v.touch("throw.done");
+  v.frames(1);
+  ASSERT_EQ(v.visit->screen(), ScreenId::result);
+  v.touch("back");
+  v.frames(1);
+  ASSERT_EQ(v.visit->screen(), ScreenId::throwing);
+  EXPECT_FALSE(v.wheel_commands.coil) << "the tray shows the hands";
+}
+
+TEST(ToolTray, FreshClayIsBuiltFromItsFloorAgain) {
+  AtABuiltPot v;
+  v.touch("throw.tools");
+  v.touch("throw.tool.0");
+  v.frames(1);
+  ASSERT_FALSE(v.wheel_commands.coil);
+  v.touch("throw.renew");
+  EXPECT_TRUE(v.wheel_commands.coil);
+}
+
+TEST(ToolTray, OneHandAloneTakesThePlaceOfTheCoil) {
+  AtABuiltPot v;
+  v.touch("throw.tools");
+  v.touch("throw.outside");
+  EXPECT_FALSE(v.wheel_commands.coil);
+}
+
+TEST(ToolTray, ACoilIsLaidNoFasterThanTheRimTakesIt) {
+  AtABuiltPot v;
+  const double widest = v.shelf[0].target.max_radius();
+  for (int n = 0; n < 8; ++n) v.touch("throw.faster");
+  EXPECT_LT(v.wheel_commands.wheels.back() * widest, v.wheel.pace);
+  EXPECT_GT(v.wheel_commands.wheels.back() * widest, 0.7 * v.wheel.pace);
+  v.touch("throw.slower");
+  EXPECT_GT(v.wheel_commands.wheels.back(), 0.0);
 }
 
 TEST(ToolTray, TheWireIsTakenInPlaceOfTheCoil) {

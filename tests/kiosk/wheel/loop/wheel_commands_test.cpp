@@ -145,6 +145,7 @@ TEST(Potter, HalfARingOfCoilIsSeenWhereItLiesAndIsClayOnceItIsClosed) {
   SteppedWheel& host = wheel.host;
   EXPECT_EQ(host.view().coil.diameter, 0.013);
   host.hold_coil(true);
+  host.advance(500);
   host.wheel(2.5);
   rest_a_coil(host);
   host.advance(static_cast<int>(1000 * 3.14159 / 2.5));
@@ -168,6 +169,33 @@ TEST(Potter, HalfARingOfCoilIsSeenWhereItLiesAndIsClayOnceItIsClosed) {
   EXPECT_GT(host.view().clay.rim_height(), before + 0.010) << "the ring is closed";
 }
 
+// Neither shows where the ring lay before it, nor shows it one ring higher.
+TEST(Potter, ARingThatClosedIsAtOnceAWallAndNoCoil) {
+  Stepped wheel(floor_to_build_on());
+  SteppedWheel& host = wheel.host;
+  host.hold_coil(true);
+  host.wheel(2.5);
+  host.advance(500);
+  rest_a_coil(host);
+  const double floor = host.view().clay.rim_height();
+  int frames = 0, seen = 0;
+  for (int n = 0; n < 400 && host.view().clay.rim_height() < floor + 0.005; ++n, ++frames) {
+    if (places_laid(host) > 0) {
+      ++seen;
+      EXPECT_NEAR(host.view().coil.height, floor + 0.0065, 1e-6) << "frame " << n;
+    }
+    host.advance(16);
+    host.collect();
+  }
+  EXPECT_GT(seen, 100);
+  EXPECT_EQ(places_laid(host), 0u) << "in the first frame of the higher rim";
+  // All rows of the ring come with it: in the next frame at the latest none is a lid on the mouth.
+  host.advance(16);
+  host.collect();
+  for (int row = 0; row < host.view().clay.rows(); ++row)
+    EXPECT_GT(host.view().clay.mean_outer(row), 0.04) << row;
+}
+
 TEST(Potter, ACoilIsPutAwayByTheHandAndByANewPot) {
   Stepped wheel(floor_to_build_on());
   SteppedWheel& host = wheel.host;
@@ -175,11 +203,12 @@ TEST(Potter, ACoilIsPutAwayByTheHandAndByANewPot) {
   for (const bool held : {false, true, false}) {
     host.hold_coil(held);
     rest_a_coil(host);
-    host.advance(100);
+    host.advance(600);  // a hand is off for a moment when it takes a coil
     host.collect();
     EXPECT_EQ(places_laid(host) > 0, held);
     host.start(pot(floor_to_build_on()));
-    host.advance(100);
+    rest_a_coil(host);
+    host.advance(600);
     host.collect();
     EXPECT_EQ(places_laid(host), 0u) << "nothing lies on a new floor, and no coil is held";
   }
