@@ -159,7 +159,7 @@ void Missions::add(const Mission& mission, const std::vector<screens::ShelfCard>
       jars_.push_back(jar_vessel(mission, std::move(*jar)));
       card.own.vessel = &jars_.back();
       card.own.target = jars_.back().extracted.profile;
-      card.own.wheel = scenes_.for_visitor(scenes_.of(mission.id), jars_.back());
+      card.own.wheel = scenes_.wheel_of(jars_.back());
       break;
     }
   }

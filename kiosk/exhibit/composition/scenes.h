@@ -39,6 +39,10 @@ class Scenes {
   const SceneDef& of(const std::string& id) const;
   /// The one in which `vessel` may be built of coils; null: it is only thrown.
   const SceneDef* built(const content::Vessel& vessel) const;
+  /// Of its scene, for the screens.
+  screens::SceneForVisitor wheel_of(const content::Vessel& vessel) const {
+    return for_visitor(of(vessel.id), vessel);
+  }
   /// The part of a scene of `vessel` that the screens need, with its way and its glazes first.
   screens::SceneForVisitor for_visitor(const SceneDef& def, const content::Vessel& vessel) const;
   const std::vector<content::Glaze>& glazes() const { return glazes_; }

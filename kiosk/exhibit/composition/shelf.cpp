@@ -66,7 +66,7 @@ void Shelf::take(double now) {
       const Profile& own = card.vessel->extracted.profile;
       card.scale = workspace_scale(own);
       card.target = scaled(own, card.scale);
-      card.wheel = scenes_.for_visitor(scenes_.of(card.vessel->id), *card.vessel);
+      card.wheel = scenes_.wheel_of(*card.vessel);
       if (const SceneDef* built = scenes_.built(*card.vessel))
         card.built = scenes_.for_visitor(*built, *card.vessel);
       cards_.push_back(std::move(card));

@@ -16,9 +16,9 @@ constexpr double kRound = 0.25, kBefore = 0.75;
 constexpr double kRisen = 0.5;        // coils that the rim rises as a ring closes
 constexpr double kOnTop = 0.0005;     // m inside the wall's edge: farther out it would slip off
 constexpr double kRoundEdge = 0.003;  // m: the rim's edges are so round (rim_touched)
-// A hand whose coil became a ring is off the rim for so many s, by so much, m. It has no coil until
-// it is clear.
-constexpr double kNextCoil = 0.35, kOffRim = 0.002;
+// A hand whose coil became a ring has no coil until it lies so lightly on the new rim, coils. It is
+// up there within so many s.
+constexpr double kLightly = 0.01, kNextCoil = 0.35;
 
 /// The wall's top where a hand is.
 struct Rim {
@@ -110,7 +110,9 @@ void CoilHand::lay_a_ring(double side, double radius, const ClayView& clay) {
 
 bool CoilHand::follow(const ClayView& clay, double dt) {
   const double rim = clay.rim_height();
-  off_ = !active_ ? 0.0 : rim > rim_ + kRisen * diameter_ ? kNextCoil : std::max(0.0, off_ - dt);
+  lightly_ = !active_                          ? 0.0
+             : rim > rim_ + kRisen * diameter_ ? kNextCoil
+                                               : std::max(0.0, lightly_ - dt);
   rim_ = rim;
   if (!ends_ || rim < *ends_) return false;
   lift();
@@ -121,7 +123,8 @@ HandInput CoilHand::input(const view::Camera& camera, const ClayView& clay) cons
   HandInput hand;
   hand.active = active_ && clay.rows() > 0;
   if (!hand.active) return hand;
-  const double height = clay.rim_height() + (0.5 - kPressed) * diameter_;
+  const double height =
+      clay.rim_height() + (0.5 - (lightly_ > 0 ? kLightly : kPressed)) * diameter_;
   Vec3 way, up, back;
   camera.basis(way, up, back);
   way = side_ * way;
@@ -131,7 +134,7 @@ HandInput CoilHand::input(const view::Camera& camera, const ClayView& clay) cons
   const Rim rim = Rim::at(clay, way);
   const double radius = there ? rim.middle(diameter_) : rim.within(radius_, diameter_);
   hand.position = radius * way;
-  hand.position.y = height - rim.sinks(radius, diameter_) + (off_ > 0 ? kOffRim : 0.0);
+  hand.position.y = height - rim.sinks(radius, diameter_);
   return hand;
 }
 

@@ -46,7 +46,7 @@ class CoilHand {
   float px_ = 0, py_ = 0;         ///< Pixels.
   double side_ = 1, radius_ = 0;  ///< m from the axis.
   double rim_ = 0,
-         off_ = 0;  ///< Height of the rim at the last frame, m; s that the hand is off it.
+         lightly_ = 0;          ///< Height of the rim at the last frame, m; s to lie on it lightly.
   std::optional<double> ends_;  ///< Height of the rim above which the ring is closed, m.
 };
 

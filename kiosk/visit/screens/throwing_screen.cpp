@@ -91,6 +91,8 @@ class Throwing final : public Screen {
       coil_->follow(desk.world.wheel->clay, dt);
       send_hand();
     }
+    // Who holds on builds no higher than the vessel; a new touch does.
+    if (std::exchange(lacked_, wants_coil()) && !wants_coil() && coil_) let_go();
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
     clay_.look(desk, contact);
     water_.look(contact, desk.status.feedback.wetness, dt);
@@ -501,6 +503,7 @@ class Throwing final : public Screen {
   WheelHands hands_;
   std::size_t held_ = 0;          ///< Index in the tray: 0 is the hands.
   std::optional<CoilHand> coil_;  ///< In place of the hands.
+  bool lacked_ = false;           ///< A ring was lacking in the last frame.
   std::optional<WireCut> cut_off_;
   ShowMe show_;
   StrokeBoard board_;

@@ -453,7 +453,7 @@ TEST(ChooseScreen, AVesselThatWasBuiltOffersThatFirstAndToThrowItSecond) {
     }
     for (const char* said :
          {"Build it from coils", "Throw it on the wheel",
-          "Its coils are 13 mm thick here; at its real size they would be 4 cm."})
+          "Its coils are 13 mm thick here. At its real size they would be 4 cm."})
       EXPECT_NE(words.find(said), std::string::npos) << said;
     v.requests();
     v.touch(built ? "choose.build" : "choose.throw");

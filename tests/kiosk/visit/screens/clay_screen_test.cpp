@@ -172,7 +172,7 @@ TEST(ClayScreen, AVisitThatEndsThereIsCountedAsThat) {
 }
 
 TEST(FirstClay, AVesselThatWasBuiltIsBuiltInAttractAndAFingerThereGetsALumpToThrow) {
-  Visitor v(2);
+  Visitor v(2, nullptr, false, true);
   for (ShelfCard& card : v.shelf) {
     card.built = card.wheel;
     card.built->coil = 0.013;

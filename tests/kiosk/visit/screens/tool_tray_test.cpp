@@ -195,6 +195,10 @@ TEST(ToolTray, AControlNamesOneToolOrNone) {
     EXPECT_FALSE(ToolTray::of_control(other)) << other;
 }
 
+void stretch(Profile& target, double times) {
+  for (ProfilePoint& p : target.points) p.height *= times;
+}
+
 /// At a pot that is built of coils. Its lump is as high as its vessel unless `floor`.
 struct AtABuiltPot : Visitor {
   explicit AtABuiltPot(bool floor = true) {
@@ -203,7 +207,7 @@ struct AtABuiltPot : Visitor {
       card.wheel.max_speed = 8.0;
       card.wheel.tools = {{0, "coil", 0.0065, 0.0065}, {kWire, "wire", 0.0005, 0.0005}};
       card.wheel.wire = kWire;
-      if (floor) card.target = scaled(card.target, 3.0);
+      if (floor) stretch(card.target, 3.0);
     }
     throw_a_pot();
     frames(2);
@@ -240,7 +244,7 @@ TEST(ToolTray, APotThatIsHighEnoughBeginsWithTheHands) {
 TEST(ToolTray, APotThatComesBackFromItsResultIsNotHeldWithTheCoilThatClosedIt) {
   AtABuiltPot v;
   ASSERT_TRUE(v.wheel_commands.coil);
-  for (ShelfCard& card : v.shelf) card.target = scaled(card.target, 1.0 / 3.0);  // high enough now
+  for (ShelfCard& card : v.shelf) stretch(card.target, 1.0 / 3.0);  // high enough now
   v.touch("throw.done");
   v.frames(1);
   ASSERT_EQ(v.visit->screen(), ScreenId::result);
@@ -248,6 +252,24 @@ TEST(ToolTray, APotThatComesBackFromItsResultIsNotHeldWithTheCoilThatClosedIt) {
   v.frames(1);
   ASSERT_EQ(v.visit->screen(), ScreenId::throwing);
   EXPECT_FALSE(v.wheel_commands.coil) << "the tray shows the hands";
+}
+
+TEST(ToolTray, WhoHoldsOnBuildsNoHigherThanTheVesselAndANewTouchDoes) {
+  AtABuiltPot v;
+  const auto at = *v.frame.pot->camera.project({0.05, v.clay.rim_height(), 0});
+  const auto holds = [&] {
+    return v.wheel_commands.hands[v.wheel_commands.hands.size() - 2].active;
+  };
+  v.down(at.first, at.second);
+  v.show();
+  ASSERT_TRUE(holds());
+  for (ShelfCard& card : v.shelf) stretch(card.target, 1.0 / 3.0);
+  v.show();
+  EXPECT_FALSE(holds());
+  v.up(at.first, at.second);
+  v.down(at.first, at.second);
+  v.show();
+  EXPECT_TRUE(holds());
 }
 
 TEST(ToolTray, FreshClayIsBuiltFromItsFloorAgain) {

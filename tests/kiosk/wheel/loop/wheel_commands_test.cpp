@@ -201,6 +201,9 @@ TEST(Potter, ACoilIsPutAwayByTheHandAndByANewPot) {
   SteppedWheel& host = wheel.host;
   host.wheel(2.5);
   for (const bool held : {false, true, false}) {
+    host.start(pot(floor_to_build_on()));
+    host.advance(1);
+    host.collect();
     host.hold_coil(held);
     rest_a_coil(host);
     host.advance(600);  // a hand is off for a moment when it takes a coil
@@ -217,6 +220,7 @@ TEST(Potter, ACoilIsPutAwayByTheHandAndByANewPot) {
 TEST(Potter, APotThatIsNotBuiltHasNoCoil) {
   Stepped wheel(small_scene());
   wheel.host.hold_coil(true);
+  wheel.host.advance(500);
   wheel.host.hand(0, press_at(small_scene(), 0.001));
   wheel.host.advance(20);
   wheel.host.collect();
