@@ -108,4 +108,17 @@ std::unique_ptr<Script> build_up(const ScriptContext& context, const ToolInHand&
   return std::make_unique<Coiling>(context, context.target);
 }
 
+bool coils_come_near(const Profile& target, double coil) {
+  constexpr double kMostLean = 0.45, kRing = 0.89;  // coils
+  constexpr double kNear = 0.018;                   // of the height
+  double outer = target.outer_at(0.0), squares = 0.0;
+  int rings = 0;
+  for (double h = kRing * coil; h < target.height(); h += kRing * coil, ++rings) {
+    const double wanted = target.outer_at(h);
+    outer = std::clamp(wanted, outer - kMostLean * coil, outer + kMostLean * coil);
+    squares += (outer - wanted) * (outer - wanted);
+  }
+  return rings > 0 && std::sqrt(squares / rings) < kNear * target.height();
+}
+
 }  // namespace onggi::script

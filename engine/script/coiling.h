@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/profile/profile.h"
 #include "engine/script/plan.h"
 
 namespace onggi::script {
@@ -10,5 +11,11 @@ namespace onggi::script {
 Plan lay_rings;
 /// The same up a vessel's line, as many as its height asks for, on a faster wheel.
 Plan build_up;
+
+/// Whether rings of a coil of `coil` m come near the outline of `target` (m): a ring leans out or
+/// in by at most 0.45 coils, so they follow neither a wide shoulder nor a bowl. Near: the mean
+/// distance (RMS) of the outline is below 0.018 of the height. Real rings drift outwards, and come
+/// to twice that at most. Pure.
+bool coils_come_near(const Profile& target, double coil);
 
 }  // namespace onggi::script

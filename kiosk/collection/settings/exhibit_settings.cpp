@@ -52,8 +52,8 @@ const Setting kSettings[] = {
     {.table = "",
      .key = "built_scene",
      .place = kTop<&Exhibit::built_scene>,
-     .words = "the scene of vessels that were built of coils (`built = true` in their "
-              "`vessel.toml`); none if the default file is missing",
+     .words = "how the clay behaves while visitors build a vessel of coils; none if the default "
+              "file is missing",
      .range = "an existing file",
      .page = "kiosk/docs/build_of_coils.md",
      .usual = "\"scenes/built.toml\"",
@@ -61,7 +61,8 @@ const Setting kSettings[] = {
     {.table = "",
      .key = "build",
      .place = kTop<&Exhibit::build>,
-     .words = "visitors may build such vessels; else they throw them as all others"},
+     .words = "visitors may build vessels that have `built = true` in their `vessel.toml`; else "
+              "they only throw them"},
     {.table = "",
      .key = "rubric",
      .place = kTop<&Exhibit::rubric_file>,

@@ -20,6 +20,12 @@ constexpr double kAway = 0.5;          // m from the axis and the wheel: every t
 constexpr const char* kCoil = "coil";  // in the tray
 constexpr double kUsualCoat = 0.0005;  // m: a coat of 1 in the picture
 
+// A scene with other mistakes is told of those.
+bool builds_nothing(const std::filesystem::path& scene) {
+  const settings::SceneRead read = settings::read_scene(scene);
+  return read.problems.empty() && !read.def.building;
+}
+
 }  // namespace
 
 Scenes::Scenes(const settings::Exhibit& exhibit) : attract_scripts_(exhibit.attract_scripts) {
@@ -194,7 +200,7 @@ settings::Problems unknown_names(const settings::Exhibit& exhibit,
                                  const std::vector<std::string>& ids) {
   toml::TomlReader reader(exhibit.file);
   auto root = reader.root();
-  if (exhibit.built_scene && !settings::read_scene(*exhibit.built_scene).def.building)
+  if (exhibit.build && exhibit.built_scene && builds_nothing(*exhibit.built_scene))
     root.complain("built_scene",
                   exhibit.built_scene->string() + " has no [building], so nothing is built in it.",
                   "Name a scene that has, such as scenes/built.toml, or remove the line.");

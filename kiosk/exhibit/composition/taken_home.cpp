@@ -116,7 +116,8 @@ Result<TakingHome> TakingHome::begin(const screens::MakeKeepsake& request,
   taking.side_words_ = language.say("sheet.side");
   taking.strip_words_ = language.say("sheet.strip");
   taking.zones_words_ = language.say("sheet.zones", {{"mm", kErrorHere}});
-  taking.hands_ = {language.say("sheet.thrown_by"), language.say("sheet.decorated_by")};
+  taking.hands_ = {language.say(request.built ? "sheet.built_by" : "sheet.thrown_by"),
+                   language.say("sheet.decorated_by")};
   taking.made_ = request.made;
   // A pot that answers a description has no vessel under its section.
   taking.target_ = screens::mission_of_own(request.card) >= 0 ? request.made : card.target;

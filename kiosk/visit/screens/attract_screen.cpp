@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "engine/script/coiling.h"
 #include "kiosk/visit/screens/demonstration.h"
 #include "kiosk/visit/screens/gallery_page.h"
 #include "kiosk/visit/screens/label.h"
@@ -119,7 +120,7 @@ class Attract final : public Screen {
 
     // Reserve space for the name at all times, so that nothing moves when it appears.
     if (!asked_) return;
-    if (!follows()) {
+    if (!follows() && !(desk.attract_builds && done_at_ >= 0)) {
       column.space(t.gap * (page.where().portrait ? 1.5f : 3.0f));
       column.text(desk.say("attract." + script_), t.body, Face::sans, view::kFaintInk);
       return;
@@ -145,8 +146,9 @@ class Attract final : public Screen {
     const ShelfCard& card = *desk.shelf_card(desk.attract_card);
     const SceneForVisitor& wheel = card.wheel;
     script_ = wheel.shown[desk.attract_turn++ % wheel.shown.size()];
-    // As its makers made it.
-    desk.attract_builds = card.built && follows();
+    // As its makers made it, if that comes near the vessel without hands that follow.
+    desk.attract_builds =
+        card.built && follows() && script::coils_come_near(card.target, *card.built->coil);
     if (desk.attract_builds) script_ = "build";
     // If clay keeps its volume, the pot's height needs planning, so the script throws it.
     show_.reset();

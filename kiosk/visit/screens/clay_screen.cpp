@@ -28,15 +28,15 @@ class FirstClay final : public Screen {
  public:
   explicit FirstClay(Desk& d)
       : Screen(d),
-        builds_(std::exchange(d.attract_builds, false)),
+        half_built_(d.attract_builds && !d.status.script_done),
         picture_(d.attract_picture ? d.attract_picture : std::make_shared<PotPicture>()),
-        hands_(d.wheel(), false),
+        hands_(scene_of(d, half_built_), false),
         speed_(d),
         began_(std::exchange(d.began_on_clay, std::nullopt)) {
     desk.world.wheel_commands->play(nullptr);
     // Nobody can shape a pot that was cut off, has fallen, or is half built.
     const auto& felt = desk.status.feedback;
-    if (felt.cut_free > 0 || felt.fallen || felt.torn || builds_)
+    if (felt.cut_free > 0 || felt.fallen || felt.torn || half_built_)
       desk.start_pot(desk.attract_card, true, "");
     if (desk.pot_ready()) take_over();
   }
@@ -133,6 +133,11 @@ class FirstClay final : public Screen {
   void comforted() override { speed_.send(desk); }
 
  private:
+  /// Of the pot that a finger shapes here: one that was half built gives way to a lump to throw.
+  static const SceneForVisitor& scene_of(Desk& desk, bool half_built) {
+    if (half_built) desk.attract_builds = false;
+    return desk.wheel();
+  }
   static bool arrow(Key key) {
     return key == Key::up || key == Key::down || key == Key::left || key == Key::right;
   }
@@ -167,7 +172,7 @@ class FirstClay final : public Screen {
   }
   void send_hand() { hands_.send(desk, camera_); }
 
-  const bool builds_;  ///< Attract was building it of coils.
+  const bool half_built_;  ///< Attract was building it of coils.
   std::shared_ptr<PotPicture> picture_;
   WheelHands hands_;
   WheelSpeed speed_;

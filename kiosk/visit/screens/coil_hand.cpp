@@ -108,15 +108,13 @@ void CoilHand::lay_a_ring(double side, double radius, const ClayView& clay) {
   ends_ = clay.rim_height() + kRisen * diameter_;
 }
 
-bool CoilHand::follow(const ClayView& clay, double dt) {
+void CoilHand::follow(const ClayView& clay, double dt) {
   const double rim = clay.rim_height();
   lightly_ = !active_                          ? 0.0
              : rim > rim_ + kRisen * diameter_ ? kNextCoil
                                                : std::max(0.0, lightly_ - dt);
   rim_ = rim;
-  if (!ends_ || rim < *ends_) return false;
-  lift();
-  return true;
+  if (ends_ && rim >= *ends_) lift();
 }
 
 HandInput CoilHand::input(const view::Camera& camera, const ClayView& clay) const {

@@ -25,9 +25,8 @@ class CoilHand {
   void move_by_keys(double side, double outward, const ClayView& clay);
   /// Lays one ring by itself, `radius` (m) from the axis as far as the wall allows, at `side`.
   void lay_a_ring(double side, double radius, const ClayView& clay);
-  /// Call once a frame, of `dt` s. True when the ring of lay_a_ring() is closed; the hand is then
-  /// lifted.
-  bool follow(const ClayView& clay, double dt);
+  /// Call once a frame, of `dt` s. Lifts the hand when the ring of lay_a_ring() is closed.
+  void follow(const ClayView& clay, double dt);
   void lift() { active_ = grabbed_ = false, ends_.reset(); }
 
   bool active() const { return active_; }

@@ -7,6 +7,7 @@
 #include "kiosk/collection/score/in_words.h"
 #include "kiosk/visit/screens/measured_pot.h"
 #include "kiosk/visit/screens/target_line.h"
+#include "kiosk/visit/screens/tool_tray.h"
 
 namespace onggi::screens {
 
@@ -75,7 +76,7 @@ Hint next_hint(const HintInput& in) {
   if (in.dry_too_long) return {"hint.dry", {}, {}};
   // The wall comes first: what is not there yet cannot be shaped.
   if (in.coil > 0 && lacks_a_ring(in.made->height(), in.target->height(), in.coil))
-    return {in.coil_held ? "hint.lay_coil" : "hint.take_coil", {}, {}};
+    return in.coil_held ? Hint{"hint.lay_coil", {}, {}} : Hint{"hint.take_coil", in.tools_way, {}};
   if (in.coil_held) return {"hint.high_enough", {}, {}};
   if (!in.described.empty()) return {in.described, {}, {}};
   if (in.score == nullptr) return {"hint.begin", {}, {}};
@@ -94,9 +95,12 @@ std::vector<std::string> all_hints(const Desk& desk) {
   std::vector<std::string> all;
   for (const char* key : {"hint.wheel_still", "hint.begin", "hint.dry", "hint.close"})
     all.push_back(desk.say(key));
-  if (desk.wheel().coil)
-    for (const char* key : {"hint.lay_coil", "hint.take_coil", "hint.lay_ring", "hint.high_enough"})
+  if (desk.wheel().coil) {
+    for (const char* key : {"hint.lay_coil", "hint.lay_ring", "hint.high_enough", "stroke.lays"})
       all.push_back(desk.say(key));
+    for (std::size_t held = 0; held <= desk.wheel().tools.size(); ++held)
+      all.push_back(words_of({"hint.take_coil", ToolTray::way_in(desk, held), {}}, desk));
+  }
   for (const auto& said : kWithoutPlace) all.push_back(desk.say(said.second));
   if (desk.described() != nullptr)
     for (const std::string& key : MeasuredPot::hints()) all.push_back(desk.say(key));

@@ -21,6 +21,7 @@ struct HintInput {
   double tool_radius = 0.008;
   double coil = 0;          ///< Its diameter where the pot is built of coils, m,
   bool coil_held = false;   ///< and whether one is in the hand.
+  std::string tools_way{};  ///< Language key of the words on the button to the tools.
   std::string described{};  ///< The hint for wanted figures, if there is no outline to copy.
 };
 

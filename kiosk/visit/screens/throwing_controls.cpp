@@ -27,15 +27,12 @@ constexpr const char *kToolsWay = "throw.tools", *kWheelWay = "throw.wheel",
                      *kCloseWay = "throw.less";
 
 Button tools_button(const Desk& desk, const ThrowingControls& now) {
-  const std::string closed = desk.say(desk.wheel().tools.empty() ? "throw.hand" : kToolsWay);
-  std::string longest = closed;
+  std::string longest = desk.say(ToolTray::way_in(desk, 0));
   for (std::size_t n = 1; n <= desk.wheel().tools.size(); ++n)
     if (const std::string name = ToolTray::name_of(desk, n); name.size() > longest.size())
       longest = name;
-  // Show the held tool, because a visitor chooses another one here.
-  const bool tool = now.held > 0;
-  return {kToolsWay, tool ? ToolTray::name_of(desk, now.held) : closed,
-          tool ? Look::chosen : Look::outline, longest};
+  return {kToolsWay, desk.say(ToolTray::way_in(desk, now.held)),
+          now.held > 0 ? Look::chosen : Look::outline, longest};
 }
 
 /// The buttons to the drawers, or back.
@@ -268,8 +265,8 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
 /// advice.
 std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
   if (!now.news.empty()) return desk.say(now.news);
-  if (hint.key == "hint.wheel_still" || hint.key == "hint.dry" || hint.key == "hint.high_enough")
-    return words_of(hint, desk);
+  if (now.coil && now.working) return desk.say("stroke.lays");
+  if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
   // A button lays the coil.
   if (hint.key == "hint.lay_coil" || hint.key == "hint.take_coil") return desk.say("hint.lay_ring");
   if (desk.described() != nullptr) return StrokeBoard::advice(desk);
@@ -436,7 +433,7 @@ void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now,
     ToolTray::lay_out(page, tray_room(page), desk, now.held);
   if (now.drawer != Drawer::closed) return drawer(column, desk, now);
   if (now.board)
-    return now.board->lay_out(column, desk, ways(desk, now), now.parts, now.working,
+    return now.board->lay_out(column, desk, ways(desk, now), now.parts, now.working && !now.coil,
                               sentence_of(desk, now, hint));
   heading(column, desk, now);
   if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);

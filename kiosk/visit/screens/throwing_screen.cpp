@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kiosk/visit/screens/coil_hand.h"
+#include "kiosk/visit/screens/coil_at_wheel.h"
 #include "kiosk/visit/screens/hint.h"
 #include "kiosk/visit/screens/lesson_line.h"
 #include "kiosk/visit/screens/measured_pot.h"
@@ -35,22 +35,22 @@ namespace {
 constexpr double kLookIn = 0.8;  // s that the pot stays cut away after a hand was inside
 // Opacity of the pot: faint words over black clay keep a contrast of 4.5.
 constexpr double kBehindTools = 0.05;
-constexpr double kSurelyLays = 0.8;   // of the pace at which the rim takes a coil, at the belly
-constexpr std::size_t kCoilTool = 1;  // its index in the tray, where there is one
-constexpr int kGoodPot = 4;           // stars: from here on nothing need be corrected
+constexpr int kGoodPot = 4;  // stars: from here on nothing need be corrected
 
 class Throwing final : public Screen {
  public:
   explicit Throwing(Desk& d)
       : Screen(d),
         hands_(d.wheel(), d.two_hands() && !StrokeBoard::wanted(d)),
+        coil_(d, d.two_hands()),
         speed_(d),
         by_keys_(d.by_keys) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
     if (!by_buttons()) return "";
     const bool shows = !desk.touched && aim() != nullptr && !dark() && !hands_.two();
-    const char* usual = coil_    ? "throw.show"
+    const bool lays = coil_.held() && coil_.lacks_a_ring() && aim() != nullptr && !dark();
+    const char* usual = lays     ? "throw.show"
                         : !menu_ ? StrokeBoard::kFirst
                         : shows  ? "throw.show"
                                  : "throw.done";
@@ -65,7 +65,7 @@ class Throwing final : public Screen {
       speed_.send(desk);
       desk.world.wheel_commands->water(water_.wet());
       // A pot that comes back from its result has what its hands held then.
-      if (desk.wheel().coil || coil_) take_up(wants_coil() ? kCoilTool : 0);
+      if (coil_.built() || coil_.held()) take_up(coil_.lacks_a_ring() ? CoilAtWheel::kTool : 0);
     }
     if (done_) return finish();
     // The pot is cut off, so the throwing is over.
@@ -87,12 +87,12 @@ class Throwing final : public Screen {
       hands_.follow(desk.world.wheel->clay, dt, contacts);
       send_hand();
     }
-    if (coil_ && coil_->active() && desk.pot_ready()) {
-      coil_->follow(desk.world.wheel->clay, dt);
+    if (coil_.active() && desk.pot_ready()) {
+      coil_.hand().follow(desk.world.wheel->clay, dt);
       send_hand();
     }
-    // Who holds on builds no higher than the vessel; a new touch does.
-    if (std::exchange(lacked_, wants_coil()) && !wants_coil() && coil_) let_go();
+    // A new touch builds higher. Buttons go on to the strokes, with the focus where it is.
+    if (coil_.wall_is_there_now() && coil_.held()) by_buttons() ? take_up(0) : let_go();
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
     clay_.look(desk, contact);
     water_.look(contact, desk.status.feedback.wetness, dt);
@@ -103,9 +103,9 @@ class Throwing final : public Screen {
     // Say nothing about the previous pot.
     if (desk.pot_ready())
       hint_.update(desk.now, {target, &picture_.made(), score_ ? &*score_ : nullptr,
-                              speed_.asked() > 0.5, grip_, desk.touched, water_.asked_for(),
-                              desk.wheel().tool_radius, may_build() ? *desk.wheel().coil : 0.0,
-                              coil_.has_value(), MeasuredPot::hint(desk)});
+                              speed_.asked() > 0, grip_, desk.touched, water_.asked_for(),
+                              desk.wheel().tool_radius, coil_.diameter(), coil_.held(),
+                              ToolTray::way_in(desk, held_), MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -140,24 +140,25 @@ class Throwing final : public Screen {
     const bool whole = !mishap_;
     const bool onward = desk.touched && whole && drawer_ == Drawer::closed &&
                         LessonLine::leaves_off(desk) && !asks_for_more();
-    const ThrowingControls now{speed_.asked(),
-                               grip(),
-                               water_.wet(),
-                               cut_,
-                               water_.would_help(),
-                               onward,
-                               desk.status.can_restore && whole,
-                               show_button(),
-                               whole && LessonLine::shown(desk) != nullptr,
-                               drawer_,
-                               held_,
-                               coil_.has_value(),
-                               mishap_.now(),
-                               StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
-                               parts(),
-                               working(),
-                               by_keys_,
-                               clay_.asked_for(desk) ? kClayFirst : desk.note()};
+    const ThrowingControls now{
+        speed_.asked(),
+        grip(),
+        water_.wet(),
+        cut_,
+        water_.would_help(),
+        onward,
+        desk.status.can_restore && whole,
+        coil_.button(show_.button(desk, aim() == nullptr || dark() || hands_.two())),
+        whole && LessonLine::shown(desk) != nullptr,
+        drawer_,
+        held_,
+        coil_.held(),
+        mishap_.now(),
+        StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
+        parts(),
+        working(),
+        by_keys_,
+        clay_.asked_for(desk) ? kClayFirst : desk.note()};
     give_the_pot_its_room(page, desk, now);
     camera_ = picture_.camera(page);
     if (const ShelfCard* card = desk.shelf_card(desk.card);
@@ -187,12 +188,12 @@ class Throwing final : public Screen {
       let_go();
       clay_.renewed(desk);
       desk.world.wheel_commands->renew();
-      if (may_build()) take_up(kCoilTool);
+      if (coil_.built()) take_up(CoilAtWheel::kTool);
     } else if (control == "throw.restore") {
       let_go();
       clay_.undone(desk);
       mishap_.go_back(desk);
-    } else if (control == "throw.show" && coil_) {
+    } else if (control == "throw.show" && coil_.held()) {
       lay_a_ring();
     } else if (control == "throw.show") {
       if (held_ > 0) take_up(0);
@@ -217,7 +218,7 @@ class Throwing final : public Screen {
   }
 
   void hold(const std::string& control) override {
-    if (control == "throw.show" && !coil_) {
+    if (control == "throw.show" && !coil_.held()) {
       if (held_ > 0) take_up(0);
       if (const Profile* target = aim()) show_.hold(desk, *target, key_sign(), hands_.lead());
       send_hand();
@@ -257,8 +258,8 @@ class Throwing final : public Screen {
       hands_.two() ? show_.stop(hands_.lead()) : let_go();
     }
     if (show_.showing()) return;
-    if (coil_) {
-      if (coil_->pointer(e, camera_, desk.world.wheel->clay)) send_hand();
+    if (coil_.held()) {
+      if (coil_.hand().pointer(e, camera_, desk.world.wheel->clay)) send_hand();
       return;
     }
     const Vec2 at = camera_.on_axis_plane(e.x, e.y);
@@ -301,7 +302,7 @@ class Throwing final : public Screen {
   void let_go() override {
     show_.stop(hands_.lead());
     hands_.lift();
-    if (coil_) coil_->lift();
+    coil_.lift();
     send_hand();
   }
   void comforted() override { speed_.send(desk); }
@@ -311,24 +312,25 @@ class Throwing final : public Screen {
     // With eyes closed, the difference is told after every stroke.
     const int asked = board_.asked() + (dark() ? strokes_ : 0);
     return PotTold{working(), asked,
-                   wants_coil() ? std::vector<std::string>{desk.say("hint.lay_ring")}
-                                : StrokeBoard::told(desk, parts())};
+                   coil_.lacks_a_ring() ? std::vector<std::string>{desk.say("hint.lay_ring")}
+                                        : StrokeBoard::told(desk, parts())};
   }
 
  private:
   /// The keys move among buttons and do not move the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
-  bool active() const { return hands_.active() || (coil_ && coil_->active()); }
-  bool grabbed() const { return hands_.grabbed() || (coil_ && coil_->grabbed()); }
+  bool active() const { return hands_.active() || coil_.active(); }
+  bool grabbed() const { return hands_.grabbed() || coil_.grabbed(); }
   bool working() const { return show_.showing() || active() || cut_off_; }
   std::vector<PartOff> parts() const {
     return parts_off(desk.shelf_card(desk.card), picture_.made());
   }
   void make_stroke(device::Ask ask) {
     // No stroke shapes a wall that is not there.
-    if (wants_coil()) {
-      if (!coil_) take_up(kCoilTool);
-      return lay_a_ring();
+    if (coil_.lacks_a_ring()) {
+      if (!coil_.held()) take_up(CoilAtWheel::kTool);
+      if (!coil_.by_itself()) lay_a_ring();
+      return;
     }
     if (held_ > 0) take_up(0);
     const ClayView& clay = desk.world.wheel->clay;
@@ -337,48 +339,14 @@ class Throwing final : public Screen {
     send_hand();
   }
   double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
-  void send_hand() {
-    if (!coil_) return hands_.send(desk, camera_);
-    desk.world.wheel_commands->hand(0, coil_->input(camera_, desk.world.wheel->clay));
-    desk.world.wheel_commands->hand(1, {});
-  }
-  /// "Show me", or "Lay a ring" with a coil in the hand.
-  Button show_button() const {
-    Button button = show_.button(desk, aim() == nullptr || dark() || hands_.two());
-    if (!coil_) return button;
-    if (coil_->by_itself())
-      button.look = Look::chosen;
-    else if (!wants_coil())
-      button.id.clear();
-    return button;
-  }
-  /// A coil lays one ring by itself, as the line asks for it.
+  void send_hand() { coil_.held() ? coil_.send(camera_) : hands_.send(desk, camera_); }
+  /// Pressed again, it stops.
   void lay_a_ring() {
-    const Profile* target = aim();
-    const bool stop = coil_->by_itself();
+    const bool stop = coil_.by_itself();
     let_go();
-    if (stop || target == nullptr) return;
-    const ClayView& clay = desk.world.wheel->clay;
-    const double coil = *desk.wheel().coil;
-    const double top = std::min(clay.rim_height() + coil, target->height());
-    coil_->lay_a_ring(key_sign(), target->outer_at(top) - 0.5 * coil, clay);
+    if (const Profile* target = aim(); target != nullptr && !stop)
+      coil_.lay_a_ring(*target, key_sign());
     send_hand();
-  }
-  /// Two visitors have their hands full.
-  bool may_build() const { return desk.wheel().coil && !hands_.two(); }
-  /// The wall is not there yet.
-  bool wants_coil() const {
-    const auto coil = desk.wheel().coil;
-    const ShelfCard* card = desk.shelf_card(desk.card);
-    return may_build() && card != nullptr &&
-           lacks_a_ring(desk.world.wheel->clay.rim_height(), card->target.height(), *coil);
-  }
-  void hold_coil(bool on) {
-    coil_ = on ? std::optional<CoilHand>(*desk.wheel().coil) : std::nullopt;
-    desk.world.wheel_commands->hold_coil(on);
-    const ShelfCard* card = desk.shelf_card(desk.card);
-    const double widest = card != nullptr ? card->target.max_radius() : 0.0;
-    speed_.lay(on, widest > 0 ? kSurelyLays * desk.wheel().pace / widest : 0.0, desk);
   }
   /// The target outline, if a hand may work towards it.
   const Profile* aim() const {
@@ -387,7 +355,7 @@ class Throwing final : public Screen {
   }
   void hold_with(Grip grip) {
     grip_ = grip;
-    if (grip == Grip::both || coil_) take_up(0);
+    if (grip == Grip::both || coil_.held()) take_up(0);
     // A hand that works alone inside a closed wall is invisible.
     if (!cut_chosen_) cut_ = grip_ == Grip::inside;
     let_go();
@@ -402,21 +370,22 @@ class Throwing final : public Screen {
   void take_up(std::size_t which) {
     const SceneForVisitor wheel = desk.wheel();
     if (which > wheel.tools.size() || cut_off_) return;
-    if (wheel.coil && which == kCoilTool && !may_build()) return;
+    const bool coil = wheel.coil && which == CoilAtWheel::kTool;
+    if (coil && !coil_.built()) return;
     let_go();
     show_pot();
     const WallHold::Part fine{0, wheel.tool_radius};
     if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
       if (!clay_.comes_first(desk)) return;
-      if (coil_) held_ = 0, hold_coil(false);
+      if (coil_.held()) held_ = 0, coil_.hold(false, speed_);
       desk.world.wheel_commands->wheel(0);
       set_water(false);
       cut_off_.emplace(*wheel.wire);
       return;
     }
     held_ = which;
-    hold_coil(wheel.coil && which == kCoilTool);
-    if (coil_) return;
+    coil_.hold(coil, speed_);
+    if (coil) return;
     if (which == 0) return hands_.take_up({wheel.palm, wheel.palm_radius}, fine);
     const SceneForVisitor::Tool& tool = wheel.tools[which - 1];
     hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
@@ -441,8 +410,8 @@ class Throwing final : public Screen {
     open_drawer(Drawer::closed);
     mishap_.stay();
     show_.stop(hands_.lead());
-    if (coil_)
-      coil_->move_by_keys(key_sign(), outward, desk.world.wheel->clay);
+    if (coil_.held())
+      coil_.hand().move_by_keys(key_sign(), outward, desk.world.wheel->clay);
     else
       hands_.move_by_keys(desk.world.wheel->clay, grip(), key_sign(), outward, up);
     send_hand();
@@ -501,9 +470,8 @@ class Throwing final : public Screen {
   HintLine hint_;
   MishapWatch mishap_;
   WheelHands hands_;
-  std::size_t held_ = 0;          ///< Index in the tray: 0 is the hands.
-  std::optional<CoilHand> coil_;  ///< In place of the hands.
-  bool lacked_ = false;           ///< A ring was lacking in the last frame.
+  CoilAtWheel coil_;      ///< Held in place of the hands.
+  std::size_t held_ = 0;  ///< Index in the tray: 0 is the hands.
   std::optional<WireCut> cut_off_;
   ShowMe show_;
   StrokeBoard board_;

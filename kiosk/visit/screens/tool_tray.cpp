@@ -103,6 +103,11 @@ TrayGrid lowest_tray(const Page& page, const Desk& desk, float width, bool expla
 
 }  // namespace
 
+std::string ToolTray::way_in(const Desk& desk, std::size_t held) {
+  // The held tool, because a visitor chooses another one there.
+  return held > 0 ? id_of(desk, held) : desk.wheel().tools.empty() ? "throw.hand" : "throw.tools";
+}
+
 std::string ToolTray::name_of(const Desk& desk, std::size_t which) {
   return desk.say(id_of(desk, which));
 }

@@ -18,6 +18,8 @@ class ToolTray {
   static void lay_out(Page& page, const view::Rect& room, const Desk& desk, std::size_t held);
   /// Without what the tools do; 0 if the scene has none.
   static float least_height(const Page& page, const Desk& desk, float width);
+  /// Language key of the words on the button to the tray while `held` is held.
+  static std::string way_in(const Desk& desk, std::size_t held);
   /// The visitors' name of `which`.
   static std::string name_of(const Desk& desk, std::size_t which);
   /// The index in "throw.tool.N"; nothing for other controls.

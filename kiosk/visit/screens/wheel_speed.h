@@ -24,7 +24,7 @@ class WheelSpeed {
     const double step = laying_ ? 0.5 * kLaying : kStep;
     asked_ = std::clamp(asked_ + (faster ? step : -step), 0.0,
                         laying_ ? most_laying_ : desk.wheel().max_speed);
-    if (asked_ < 0.5 * step) asked_ = 0;
+    if (!faster && asked_ < 0.5 * step) asked_ = 0;
     send(desk);
     return true;
   }

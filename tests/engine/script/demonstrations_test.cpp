@@ -13,6 +13,7 @@
 #include "engine/profile/measures.h"
 #include "engine/scene/lump.h"
 #include "engine/scene/scene.h"
+#include "engine/script/coiling.h"
 #include "tests/engine/script/vessels.h"
 
 namespace onggi::demonstrations_test {
@@ -134,7 +135,8 @@ TEST(Demonstrations, CoilUpLaysFiveRingsThatCloseEachWithItsOwnClay) {
 }
 
 // On the floor that lump_for() beats for it.
-TEST(Demonstrations, BuildRaisesAVesselUpItsOwnLine) {
+TEST(Demonstrations, BuildRaisesAVesselUpItsOwnLineWhereCoilsComeNearIt) {
+  std::vector<std::string> came, never;
   for (const auto& [name, drawn] : vessels::all()) {
     const Profile target = scaled(drawn, workspace_scale(drawn));
     SceneDef def = everything();
@@ -147,12 +149,14 @@ TEST(Demonstrations, BuildRaisesAVesselUpItsOwnLine) {
     const Profile made = scene.clay().profile();
     EXPECT_NEAR(made.height(), target.height(), def.building->coil) << name;
     EXPECT_TRUE(scene.coil().centre.empty()) << name << ": every ring is closed";
-    // A coil leans at most 0.45 of itself out a ring, so a bowl that flares is not built so.
-    if (target.height() > 1.4 * target.max_radius()) {
-      EXPECT_LT(compare(target, made, true).outline_rms, 0.08) << name;
-    }
+    const double off = compare(target, made, true).outline_rms;
+    const bool near = script::coils_come_near(target, def.building->coil);
+    (near ? came : never).push_back(name);
+    EXPECT_EQ(off < 0.036, near) << name << ": " << off;
     EXPECT_LT(script->duration(), 120.0) << name;
   }
+  EXPECT_GE(came.size(), 2u) << "what is steep";
+  EXPECT_GE(never.size(), 2u) << "bowls";
 }
 
 TEST(Demonstrations, CoilUpAlsoHeightensAWallThatWasThrown) {

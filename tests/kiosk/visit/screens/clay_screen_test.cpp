@@ -189,6 +189,11 @@ TEST(FirstClay, AVesselThatWasBuiltIsBuiltInAttractAndAFingerThereGetsALumpToThr
   EXPECT_EQ(last->script, "build");
   EXPECT_TRUE(last->built);
   EXPECT_NE(words_in(v.frame).find("built of coils"), std::string::npos);
+  v.status.script_done = true;
+  v.frames(2);
+  EXPECT_NE(words_in(v.frame).find("Just made"), std::string::npos) << "its name is told";
+  v.status.script_done = false;  // half built again
+  v.show();
   v.press_clay();
   v.frames(0.5);
   ASSERT_EQ(v.visit->screen(), ScreenId::clay);
@@ -199,6 +204,22 @@ TEST(FirstClay, AVesselThatWasBuiltIsBuiltInAttractAndAFingerThereGetsALumpToThr
   EXPECT_EQ(fresh->script, "");
   EXPECT_FALSE(fresh->built);
   EXPECT_GT(v.wheel_commands.wheels.back(), 8.0) << "of the scene in which it is thrown";
+}
+
+TEST(FirstClay, AVesselThatCoilsDoNotComeNearIsThrownInAttract) {
+  Visitor v(2, nullptr, false, true);
+  for (ShelfCard& card : v.shelf) {
+    card.built = card.wheel;
+    card.built->coil = 0.013;
+    for (ProfilePoint& p : card.target.points) p.height *= 0.2;  // as wide as a bowl
+  }
+  v.status.script_done = true;
+  v.frames(12);
+  const auto asked = v.requests();
+  const auto* last = std::get_if<StartPot>(&asked.back());
+  ASSERT_NE(last, nullptr);
+  EXPECT_EQ(last->script, "follow");
+  EXPECT_FALSE(last->built);
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ TEST(Hint, AWallThatIsBuiltComesBeforeItsShape) {
   in.coil_held = true;
   EXPECT_EQ(next_hint(in).key, "hint.lay_coil");
   in.coil_held = false;
+  in.tools_way = "tool.flat_rib";
   EXPECT_EQ(next_hint(in).key, "hint.take_coil");
+  EXPECT_EQ(next_hint(in).place, "tool.flat_rib") << "the name on the button";
   const Profile high = jar(0.05);
   Seen built(target, high);
   built.coil = 0.013;

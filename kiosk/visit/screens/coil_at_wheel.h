@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "kiosk/visit/screens/coil_hand.h"
+#include "kiosk/visit/screens/desk.h"
+#include "kiosk/visit/screens/page.h"
+#include "kiosk/visit/screens/wheel_speed.h"
+
+namespace onggi::screens {
+
+/// The coil at a visitor's wheel: whether the pot is built of coils, whether its wall is there yet,
+/// and the coil in the hand. `desk` outlives it. Main thread.
+class CoilAtWheel {
+ public:
+  static constexpr std::size_t kTool = 1;  ///< Its index in the tray, where there is one.
+
+  /// `two`: two visitors, who have no coil.
+  CoilAtWheel(const Desk& desk, bool two) : desk_(desk), two_(two) {}
+
+  /// The pot on the wheel is built of coils.
+  bool built() const { return !two_ && desk_.wheel().coil; }
+  double diameter() const { return built() ? *desk_.wheel().coil : 0.0; }  ///< m
+  /// It is too low for its vessel by most of a ring.
+  bool lacks_a_ring() const;
+  /// Call once a frame. True when the last ring that was lacking has closed.
+  bool wall_is_there_now();
+
+  bool held() const { return hand_.has_value(); }
+  CoilHand& hand() { return *hand_; }  ///< Only while held().
+  bool active() const { return hand_ && hand_->active(); }
+  bool grabbed() const { return hand_ && hand_->grabbed(); }
+  bool by_itself() const { return hand_ && hand_->by_itself(); }
+  void lift() {
+    if (hand_) hand_->lift();
+  }
+  /// Takes it up or puts it away, and tells the wheel. With a coil the wheel is slow.
+  void hold(bool on, WheelSpeed& speed);
+  /// Lays one ring by itself where the vessel's line is, at `side` (+1 right of the axis, -1 left).
+  /// Only while held().
+  void lay_a_ring(const Profile& target, double side);
+  /// Tells the wheel where the hand is. Only while held().
+  void send(const view::Camera& camera) const;
+  /// `show`, as it is with a coil in the hand: it lays a ring.
+  Button button(Button show) const;
+
+ private:
+  const Profile* target() const;
+
+  const Desk& desk_;
+  bool two_;
+  std::optional<CoilHand> hand_;
+  bool lacked_ = false;  ///< At the last frame.
+};
+
+}  // namespace onggi::screens
