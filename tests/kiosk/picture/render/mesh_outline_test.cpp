@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <numbers>
 
 #include "tests/kiosk/picture/render/edges_fixture.h"
@@ -173,24 +172,12 @@ TEST_F(AVesselsEdge, IsNoneBehindTheEye) {
   EXPECT_TRUE(none.corners.empty());
 }
 
-// Says the times, for kiosk/docs/records/render.md.
-TEST_F(AVesselsEdge, CostsLittle) {
-  const auto ms_of = [](int times, const auto& what) {
-    double least = 1e9;
-    for (int i = 0; i < times; ++i) {
-      const std::clock_t begun = std::clock();
-      what();
-      least = std::min(least, 1e3 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC);
-    }
-    return least;
-  };
+TEST_F(AVesselsEdge, CostsFewShaderRuns) {
+  if (!calls::Shading::counted()) GTEST_SKIP() << "this driver counts no shader runs";
   // As many triangles as a turning vessel has.
   TriangleMesh mesh = turned_vessel(shelf_belly, 0.18, 98);
   for (const float side : {-1.0f, 1.0f}) add_handle(mesh, side);
   ASSERT_GT(mesh.triangles.size(), 23000u);
-  MeshEdges edges;
-  const double once = ms_of(5, [&] { edges = edges_of(mesh, 1.0f); });
-  put(mesh);
   stage_->clay().show(thrown_clay(grid_of(240, 180, 0.18, 0.010), shelf_belly, 0.006, 0.0004));
   view::Frame frame = frame_with_pot(1920, 1080, 0.18, 0.10);
   view::PotView& pot = *frame.pot;
@@ -202,25 +189,41 @@ TEST_F(AVesselsEdge, CostsLittle) {
   for (const double scale : {0.5, 0.25}) {
     Canvas canvas;
     const Painters with{*stage_, *items_, {}};
-    const auto paint = [&] {
-      pot.beside->angle += 0.01;
-      canvas.paint(with, frame, {.samples = 0}, scale, Canvas::Onto::own);
-      glFinish();
+    const auto runs = [&] {
+      const FrameWork before = calls::so_far();
+      {
+        const calls::Shading count(true);
+        canvas.paint(with, frame, {.samples = 0}, scale, Canvas::Onto::own);
+        glFinish();
+      }
+      return static_cast<double>((calls::so_far() - before).fragment_runs);
     };
-    const double found = ms_of(12, [&] {
-      Ribbons ribbons;
-      add_mesh_outline(ribbons, edges, *pot.beside, static_cast<float>(1.0 / scale));
-    });
-    const double all = ms_of(12, paint);
-    stage_->show_vessel(model_of(mesh, {0.45f, 0.26f, 0.16f}, {}, 1.0f), {});
-    const double before = ms_of(12, paint);
     put(mesh);
-    std::printf(
-        "scale %.2f: made ready in %.2f ms; found in %.2f ms; a frame %.2f ms, without %.2f ms\n",
-        scale, once, found, all, before);
-    EXPECT_LT(found, 5.0);
-    EXPECT_LT(all, 1.25 * before);
+    runs();
+    const double with_edges = runs();
+    stage_->show_vessel(model_of(mesh, {0.45f, 0.26f, 0.16f}, {}, 1.0f), {});
+    runs();
+    const double without = runs();
+    std::printf("scale %.2f: %.0f fragments, without the vessel's edges %.0f\n", scale, with_edges,
+                without);
+    EXPECT_GT(with_edges, without) << scale;
+    EXPECT_LT(with_edges, (scale > 0.4 ? 1.05 : 1.1) * without) << scale;
   }
+}
+
+// The frame's own part of the work, which grows with the lines that the eye sees and not with the
+// triangles behind them.
+TEST_F(AVesselsEdge, IsFewLinesOfManyTriangles) {
+  const view::Frame frame = beside(turned_vessel(shelf_belly, 0.18), 0.0);
+  const auto corners = [&](int sectors) {
+    Ribbons ribbons;
+    add_mesh_outline(ribbons, edges_of(turned_vessel(shelf_belly, 0.18, sectors), 1.0f),
+                     *frame.pot->beside, 2.0f);
+    return static_cast<double>(ribbons.corners.size());
+  };
+  const double coarse = corners(60), fine = corners(480);
+  EXPECT_GT(coarse, 100.0);
+  EXPECT_LT(fine, 4.0 * coarse);
 }
 
 }  // namespace
