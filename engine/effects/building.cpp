@@ -32,6 +32,7 @@ constexpr double kRests = 0.25;     // coils: the least that lies on the wall
 constexpr double kUpright = 0.3;    // of `out`: the coil lies on the rim, not beside it
 constexpr double kJoint = 0.002;    // m: height of the weak band above a joint. An estimate
 constexpr double kWorked = 0.0005;  // m: moves that leave 1/e of a joint as it was. An estimate
+constexpr double kBeaten = 0.05;    // thinned by so much, 1/e of a joint is as it was. An estimate
 
 double section_of(const BuildingDef& def) { return 0.25 * portable::kPi * def.coil * def.coil; }
 
@@ -157,7 +158,7 @@ RowAdded Building::raise(const BuildingDef& def, Clay& clay, std::uint64_t step)
   clay.mark_dirty(j);
   const bool joint = k == 0 || (k + 0.5) * height_ < kJoint * slices_;
   const double square = squares / clay.sectors();
-  rings_[static_cast<std::size_t>(added.to)] = {joint, square, {}};
+  rings_[static_cast<std::size_t>(added.to)] = {joint, square, {}, 0.0f};
   laid_.raise({added.to, joint, volume, square}, k + 1 == slices_, step);
   return added;
 }
@@ -178,17 +179,23 @@ void Building::run(const StageWork& work) noexcept {
   }
 }
 
+void Building::beat(int stored, double thinner) noexcept {
+  Ring& ring = rings_[static_cast<std::size_t>(stored)];
+  if (ring.joint) ring.beaten += static_cast<float>(thinner);
+}
+
 double Building::strength(const BuildingDef& def, int stored) const noexcept {
   if (!of(stored).joint) return 1.0;
   double worked = 0.0;
   for (const float face : of(stored).worked)
     worked -= 0.5 * portable::expm1(-double{face} / kWorked);
-  return def.joint + worked * def.pinched * (1.0 - def.joint);
+  const double beaten = -portable::expm1(-double{of(stored).beaten} / kBeaten);
+  return def.joint + std::max(worked * def.pinched, beaten) * (1.0 - def.joint);
 }
 
 // The lower half stays the joint.
 void Building::row_divided(const Clay&, const RowDivided& divided) noexcept {
-  rings_[static_cast<std::size_t>(divided.to)] = {false, of(divided.from).square, {}};
+  rings_[static_cast<std::size_t>(divided.to)] = {false, of(divided.from).square, {}, 0.0f};
 }
 
 // Work that is taken back stays with its stored row, until another ring takes that row.
@@ -215,6 +222,7 @@ void Building::add_to(StateHash& hash, const Clay& clay) const {
     if (!ring.joint) continue;
     hash.add(static_cast<std::uint64_t>(j));
     for (const float face : ring.worked) hash.add(double{face});
+    if (ring.beaten > 0.0f) hash.add(double{ring.beaten});
   }
 }
 

@@ -71,6 +71,9 @@ class Building {
 
   /// Stage 6.8: how far this tick's moves worked the joints.
   void run(const StageWork& work) noexcept;
+  /// A blow between paddle and anvil made a stored row thinner: its ring's mean of ln(before /
+  /// after). What is beaten is one piece of clay.
+  void beat(int stored, double thinner) noexcept;
   /// Yield strength of a stored row (Clay::stored), as a share of the wall's: 1 but near a joint.
   double strength(const BuildingDef& def, int stored) const noexcept;
   /// A joint keeps its row.
@@ -89,6 +92,7 @@ class Building {
     bool joint = false;
     double square = 0.0;            // m^2, as laid
     std::array<float, 2> worked{};  // m, mean over the ring: outside, inside
+    float beaten = 0.0f;            // thinned by blows: ln(before / after)
   };
   const Ring& of(int stored) const { return rings_[static_cast<std::size_t>(stored)]; }
   bool has_room(const BuildingDef& def, const Clay& clay) const noexcept;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "engine/effects/beating.h"
 #include "engine/effects/building.h"
 #include "engine/effects/friction.h"
 #include "engine/effects/kiln.h"
@@ -30,6 +31,7 @@ struct Effects {
   std::optional<SlumpDef> slump;  ///< Needs volume.
   std::optional<VolumeDef> volume;
   std::optional<BuildingDef> building;  ///< Needs volume.
+  std::optional<BeatingDef> beating;    ///< Needs volume.
   std::optional<FrictionDef> friction = FrictionDef{};
   std::optional<KilnDef> kiln;  ///< At the visit's end; not a stage of the tick.
 };
@@ -47,15 +49,16 @@ void each_effect(AnyEffects& def, Visit&& visit) {
   visit(def.slump);
   visit(def.volume);
   visit(def.building);
+  visit(def.beating);
   visit(def.friction);
   visit(def.kiln);
 }
 
 namespace effects {
 
-/// The effects that work on rows, in the pipeline's order: 6.1 to 6.8.
+/// The effects that work on rows, in the pipeline's order: 6.1 to 6.9.
 using RowStages =
-    Stages<Propagation, Springback, Smoothing, Wobble, Slump, Tearing, Volume, Building>;
+    Stages<Propagation, Springback, Smoothing, Wobble, Slump, Tearing, Volume, Building, Beating>;
 
 }  // namespace effects
 }  // namespace onggi

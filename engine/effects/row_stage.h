@@ -34,6 +34,15 @@ struct HandThere {
   double smooths = 0.0;  ///< How far up and down it smooths the wall, m; 0 if it does not.
 };
 
+/// A hand strikes the wall with a paddle.
+struct Blow {
+  bool lands = false;  ///< In this tick.
+  Vec3 at;             ///< Where, clay frame, m.
+  WallSide side = WallSide::outside;
+  double held =
+      0.0;  ///< Share of the blow that an anvil, or a hand, takes on the other face, 0..1.
+};
+
 /// A tick's input to the stages.
 struct RowTick {
   Moisture* moisture = nullptr;      ///< Null if absent.
@@ -43,6 +52,7 @@ struct RowTick {
   bool touched = false;    ///< A hand pressed clay.
   std::uint64_t step = 0;  ///< clay::History::depth(); 0 without undo.
   std::array<HandThere, kMostHands> hand{};
+  std::array<Blow, kMostHands> blow{};
 };
 
 /// What a stage works with in one tick.
@@ -50,11 +60,11 @@ struct StageWork {
   const Effects& def;
   Clay& clay;
   const RowTick& tick;
-  Volume* volume = nullptr;            ///< Null if absent,
-  const Building* building = nullptr;  ///< and this too.
-  WallSide side = WallSide::outside;   ///< The face whose turn it is,
-  double side_seconds = 0.0;           ///< and the time since its last turn.
-  bool laid = false;                   ///< A lump was laid since the last tick.
+  Volume* volume = nullptr;           ///< Null if absent,
+  Building* building = nullptr;       ///< and this too.
+  WallSide side = WallSide::outside;  ///< The face whose turn it is,
+  double side_seconds = 0.0;          ///< and the time since its last turn.
+  bool laid = false;                  ///< A lump was laid since the last tick.
 
   /// Share by which the wall moves as a whole where face `face` moves without a press of its own:
   /// as under the hand on that face, or, without a hand there, as a wall that nobody holds.

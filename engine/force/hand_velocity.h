@@ -11,7 +11,6 @@ namespace onggi::force {
 /// The velocity of a trembling hand from positions in encoder steps. Differences from tick to tick
 /// are useless: one count in 1 ms is 0.055 m/s, and friction changes direction at a hundredth of
 /// that.
-/// hundredth of that.
 ///
 /// An anchor follows the hand on a slack leash (the play operator of Krasnosel'skii & Pokrovskii,
 /// Systems with Hysteresis, 1989): a tremble within kTremble has no velocity, an even motion keeps

@@ -193,7 +193,7 @@ std::vector<std::string> effect_names() {
 void add_effect(SceneDef& def, std::size_t n) {
   if (def.paper) return;
   at_place(def, n, [](auto& effect) { effect.emplace(); });
-  if ((def.slump || def.building) && !def.volume) def.volume.emplace();
+  if ((def.slump || def.building || def.beating) && !def.volume) def.volume.emplace();
 }
 
 void remove_effect(SceneDef& def, std::size_t n) {
@@ -201,6 +201,7 @@ void remove_effect(SceneDef& def, std::size_t n) {
   if (def.volume) return;
   def.slump.reset();
   def.building.reset();
+  def.beating.reset();
 }
 
 bool has_effect(const SceneDef& def, std::size_t n) {

@@ -176,6 +176,8 @@ Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
   for (Stroke::Part& part : stroke.hand) {
     part.begins.coil = def.building && chance(random, 0.15);
     if (part.begins.coil) lay_coil(random, def, stroke, part);
+    part.beats = def.beating && chance(random, 0.2);
+    if (part.beats) part.begins.anvil = chance(random, 0.6);
   }
   if (chance(random, 0.1)) stroke.water = !stroke.water;
   stroke.renew = chance(random, 0.03);
@@ -199,6 +201,7 @@ TickRecord Trial::tick_of(const Stroke& stroke, int k, Random& random) {
     const Stroke::Part& part = stroke.hand[n];
     HandInput& hand = record.hands.hand[n];
     hand = part.begins;
+    hand.blow = part.beats && k % Stroke::kBeat < Stroke::kBeat / 2;
     if (gone > 0.0 && part.ends != part.begins.position)
       hand.position += gone * (part.ends - part.begins.position);
     if (stroke.tremble > 0.0) hand.position += stroke.tremble * direction(random);

@@ -14,9 +14,11 @@ namespace onggi::lab {
 /// A stretch of work: each hand goes straight from one place to another.
 struct Stroke {
   struct Part {
-    HandInput begins;  ///< At the first tick.
-    Vec3 ends;         ///< At the last, studio frame, m.
+    HandInput begins;    ///< At the first tick.
+    Vec3 ends;           ///< At the last, studio frame, m.
+    bool beats = false;  ///< Strikes a blow every kBeat ticks.
   };
+  static constexpr int kBeat = 40;
   int ticks = 1;         ///< >= 1
   double dt = 0.001;     ///< Of each tick, s. Any value, also invalid ones.
   bool ragged = false;   ///< Each tick has its own length, above 0 and up to `dt`.

@@ -28,11 +28,20 @@ std::vector<Tool> tools_of(const SceneDef& def) {
 
 void HandState::leave() noexcept {
   present = false;
-  rests = used_up = false;
+  rests = used_up = strikes = false;
+  struck = 0.0;
+  pulse.release();
   contact.release();
   wire = {};
   guard.release();
   velocity.release();
+}
+
+void HandState::swing(const HandInput& in) noexcept {
+  strikes = in.blow && !blow;
+  blow = in.blow;
+  anvil = in.anvil;
+  if (!blow || strikes) struck = 0.0;
 }
 
 bool HandState::take(const HandInput& in, bool holds_coil, std::span<const Tool> tools,
@@ -88,7 +97,10 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
            std::uint64_t{guard.armed()} << 2 | static_cast<std::uint64_t>(contact.side()) << 3 |
            static_cast<std::uint64_t>(contact.place()) << 4 | std::uint64_t{tool} << 8 |
            std::uint64_t{wire.drawing} << 16 | std::uint64_t{coil} << 17 |
-           std::uint64_t{rests} << 18 | std::uint64_t{used_up} << 19);
+           std::uint64_t{rests} << 18 | std::uint64_t{used_up} << 19 | std::uint64_t{blow} << 20 |
+           std::uint64_t{anvil} << 21);
+  if (struck > 0.0) hash.add(struck);
+  if (pulse.any()) pulse.add_to(hash);
   if (tools[tool].shape->round()) return;  // round tools have no handle
   add(along);
   add(across);

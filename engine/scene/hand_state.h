@@ -6,6 +6,7 @@
 
 #include "engine/contact/tool_contact.h"
 #include "engine/contact/wire.h"
+#include "engine/force/blow_pulse.h"
 #include "engine/force/guard.h"
 #include "engine/force/hand_velocity.h"
 #include "engine/math/hash.h"
@@ -32,10 +33,15 @@ struct HandState {
   bool coil = false;      // it holds a coil,
   bool rests = false;     // which lay on the rim in this tick,
   bool used_up = false;   // or is part of a ring, until the hand is on top of the rim again
+  bool blow = false;      // its paddle was swung,
+  bool strikes = false;   // in this tick,
+  bool anvil = false;     // against an anvil,
+  double struck = 0.0;    // and hit the wall with so much force, N
   ToolContact contact;
   WireHand wire;
   force::Guard guard;
-  force::HandVelocity velocity;  // used only if the scene has friction
+  force::HandVelocity velocity;  // used only if the scene has friction,
+  force::BlowPulse pulse;        // and this if it has beating
 
   /// Takes a sample of an active hand. An invalid one is dropped: the last one stays, and the
   /// result is false. For a present hand, sets the path of `sweep` for the tick; the caller fills
@@ -46,6 +52,8 @@ struct HandState {
   /// Call when the hand leaves. The next valid sample is an arrival: no sweep from the last
   /// position, no force yet.
   void leave() noexcept;
+  /// Takes HandInput::blow and anvil, after take().
+  void swing(const HandInput& in) noexcept;
   void add_to(StateHash& hash, std::span<const Tool> tools) const;
 
  private:

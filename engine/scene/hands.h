@@ -18,12 +18,17 @@ struct HandInput {
   SideWish side = SideWish::by_position;
   std::uint8_t tool = 0;  ///< 0: the ball of SceneDef::tool; n: SceneDef::tools[n - 1]. A change of
                           ///< tool lifts the hand.
-  Vec3 handle{};      ///< Direction of the tool's length; need not be a unit vector. (0, 0, 0): a
-                      ///< potter's usual grip, turned with the hand's angle about the axis.
-  double roll = 0.0;  ///< Turn about that direction, rad.
-  bool coil = false;  ///< It holds a coil of clay, with its middle at `position`, and lays it on
-                      ///< the rim; its tool presses nothing. Only where the scene has BuildingDef.
-                      ///< A change lifts the hand.
+  Vec3 handle{};       ///< Direction of the tool's length; need not be a unit vector. (0, 0, 0): a
+                       ///< potter's usual grip, turned with the hand's angle about the axis.
+  double roll = 0.0;   ///< Turn about that direction, rad.
+  bool coil = false;   ///< It holds a coil of clay, with its middle at `position`, and lays it on
+                       ///< the rim; its tool presses nothing. Only where the scene has BuildingDef.
+                       ///< A change lifts the hand.
+  bool blow = false;   ///< A paddle strikes the wall in front of `position`, once, in the tick in
+                       ///< which this becomes true. It lies there until this is false. Only where
+                       ///< the scene has BeatingDef.
+  bool anvil = false;  ///< Behind the wall an anvil is held against its blows. Without one, a hand
+                       ///< on the other face holds the wall, as far as it reaches.
   friend bool operator==(const HandInput&, const HandInput&) = default;
 };
 
@@ -52,7 +57,10 @@ enum FaultBit : std::uint32_t {
 /// What one hand feels.
 struct HandFeedback {
   Vec3 force;                         ///< On the hand, studio frame, newtons, guarded.
-  bool contact = false;               ///< It presses the clay, or its coil rests on the rim.
+  bool contact = false;               ///< It presses the clay, its coil rests on the rim, or its
+                                      ///< paddle lies on the wall that it struck.
+  double blow = 0.0;                  ///< Force of its blow while the paddle lies there, N: the
+                                      ///< mean while the clay yielded. 0: none, or it missed.
   WallSide side = WallSide::outside;  ///< Face of the wall; on the rim, the face it came from.
   Place place = Place::outside;       ///< Where it works, or would work if it is clear.
   double depth = 0.0;                 ///< Deepest press of this tick, metres.

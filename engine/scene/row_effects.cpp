@@ -109,11 +109,11 @@ void RowEffects::run(const Effects& def, Clay& clay, const Tick& tick) noexcept 
         tick.hand[n].normal > 0.0 ? 0.0 : std::min(since_touch_[n] + tick.seconds, 1.0);
   const bool asks_moves = clay.displacements(false) != nullptr;
   if (asks_moves) take_turn(clay, tick.seconds);
-  // 6.1 to 6.8
+  // 6.1 to 6.9
   const effects::StageWork work{def,        clay,       tick,          volume(),
                                 building(), turn_.side, turn_.seconds, settled_};
   each([&](auto& stage) { stage.run(work); });
-  // 6.9, 6.10
+  // 6.10, 6.11
   if (building() != nullptr) add_coil(def, clay, tick);
   if (work.volume != nullptr) refine(clay, tick);
   if (asks_moves)

@@ -35,6 +35,11 @@ class RowEffects {
            std::uint64_t step) noexcept;
   /// Null if absent.
   effects::Building* building();
+  /// What hand `n` struck in the last tick; nothing without beating.
+  effects::Struck struck(std::size_t n) const {
+    const auto& beating = stage<effects::Beating>();
+    return beating ? beating->struck(n) : effects::Struck{};
+  }
   /// Stage 6: the present stages, in order. No allocation.
   void run(const Effects& def, Clay& clay, const Tick& tick) noexcept;
   /// Takes over a clay that was laid anew, `element_budget` elements a call. True when done.

@@ -51,11 +51,13 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
   scene::HandState& h = hand[n];
   if (!in.active) {
     h.leave();
+    h.blow = false;
     return;
   }
   tick.sweep[n].seconds = tick.dt;
   const bool coil = in.coil && building() != nullptr;
   tick.held[n] = !h.take(in, coil, tools, tick.sweep[n]);
+  if (effects::kBuilt && def.beating) h.swing(in);
   if (!tick.held[n]) return;
   faults |= kFaultInput;
   ++counters.held_samples;
@@ -110,7 +112,7 @@ void Scene::State::work_on_lump(const Hands& hands) noexcept {
 void Scene::State::keep_history(const Tick& tick) noexcept {
   bool touching = false;
   for (const scene::HandState& h : hand)
-    touching = touching || (h.present && (h.contact.touching() || h.rests));
+    touching = touching || (h.present && (h.contact.touching() || h.rests || h.struck > 0.0));
   lump.follow(lump_parts(), touching, tick.dt);
 }
 
@@ -184,7 +186,42 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
                     tick.along[n],
                     tool.shape->smooths ? tool.shape->reach(tool.size) : 0.0};
   }
+  const bool beats = effects::kBuilt && def.beating && !slit.free();
+  for (std::size_t n = 0; beats && n < hand.size(); ++n) rows.blow[n] = blow_of(tick, n);
   row_effects->run(def, clay, rows);
+  if (beats) take_struck(tick);
+}
+
+// Stage 6.9, a hand's blow.
+effects::Blow Scene::State::blow_of(const Tick& tick, std::size_t n) const noexcept {
+  const scene::HandState& h = hand[n];
+  if (!h.present || h.coil || !h.strikes) return {};
+  const scene::HandState& other = hand[1 - n];
+  const double angle = tick.angle_from + tick.turn;
+  const double c = portable::cos(angle), s = portable::sin(angle);
+  const Vec3 at = tick.sweep[n].to;
+  effects::Blow blow{true, {c * at.x + s * at.z, at.y, c * at.z - s * at.x}, h.contact.side(), 1.0};
+  if (h.anvil) return blow;
+  const bool holds =
+      other.present && row_effects->holds(1 - n) && other.contact.side() != h.contact.side();
+  const WallsDef& walls = def.walls ? *def.walls : WallsDef{};
+  blow.held = holds ? effects::wall_support(walls, at, tick.sweep[1 - n].to) : 0.0;
+  return blow;
+}
+
+// After the blows: a blow of a long tick lands in its first part.
+void Scene::State::take_struck(const Tick& tick) noexcept {
+  const double angle = tick.angle_from + tick.turn;
+  const double c = portable::cos(angle), s = portable::sin(angle);
+  for (std::size_t n = 0; n < hand.size(); ++n) {
+    scene::HandState& h = hand[n];
+    if (!h.strikes) continue;
+    h.strikes = false;
+    const effects::Struck struck = row_effects->struck(n);
+    h.struck = struck.force;
+    h.pulse.begin(struck.force,
+                  {c * struck.out.x - s * struck.out.z, 0.0, s * struck.out.x + c * struck.out.z});
+  }
 }
 
 // Stage 7. Reaction, friction, and the wheel head, a stop that is not clay.
@@ -219,6 +256,11 @@ void Scene::State::feel(Tick& tick) noexcept {
     const double below = lowest.radius - lowest.middle.y;
     if (below > 0.0) feel_stop(tick, n, below, lowest.radius, {0.0, 1.0, 0.0});
     if (row_effects) feel_coil(tick, n);
+    if (effects::kBuilt && def.beating) {
+      const Vec3 push = h.pulse.step(tick.sweep[n].to - tick.sweep[n].from, tick.dt);
+      touch.push += push;
+      tick.wanted[n] += push;
+    }
   }
 }
 
@@ -289,7 +331,8 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
     felt.force = h.guard.step(tick.wanted[n], tick.dt, limits, finite);
     if (!finite) faults |= kFaultForce;
     const Press& press = tick.press[n];
-    felt.contact = h.present && (press.touched > 0 || h.rests);
+    felt.contact = h.present && (press.touched > 0 || h.rests || h.struck > 0.0);
+    felt.blow = h.struck;
     felt.side = tick.side[n];
     felt.place = tick.place[n];
     felt.depth = h.present ? press.depth : 0.0;

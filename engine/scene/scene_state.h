@@ -97,6 +97,8 @@ struct Scene::State {
   void press_clay(Tick& tick) noexcept;
   void press_and_work(Tick& tick) noexcept;
   void work_on_rows(const Tick& tick) noexcept;
+  effects::Blow blow_of(const Tick& tick, std::size_t n) const noexcept;
+  void take_struck(const Tick& tick) noexcept;
   using Faces =
       std::array<contact::FacePush, kMaxHands>;  // each hand's press on a face of the wall
   void balance(const Tick& tick, Faces& face) const noexcept;

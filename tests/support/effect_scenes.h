@@ -37,7 +37,8 @@ inline std::vector<EffectTrial> effect_trials() {
     trials.push_back({Def::kName,
                       [at, n](SceneDef& def) {
                         at(def, n, [](auto& effect) { effect.emplace(); });
-                        if ((def.slump || def.building) && !def.volume) def.volume.emplace();
+                        if ((def.slump || def.building || def.beating) && !def.volume)
+                          def.volume.emplace();
                       },
                       [at, n](SceneDef& def) {
                         at(def, n, []<class One>(std::optional<One>& effect) {

@@ -30,6 +30,9 @@ void expect(std::string_view effect, std::span<const Told> told) {
 
 // What a scene's file gets that leaves a number out, and what it may say: config/README.md.
 TEST(EffectField, EveryNumberHasItsUsualValueAndItsEnds) {
+  expect<BeatingDef>("beating", std::to_array<Told>({{"energy", 0.03, 0.001, 2.0},
+                                                     {"face", 0.02, 0.005, 0.08},
+                                                     {"yield_stress", 80e3, 5e3, 1e6}}));
   expect<BuildingDef>("building", std::to_array<Told>({{"coil", 0.013, 0.008, 0.03},
                                                        {"tallest", 0.3, 0.05, 1.0},
                                                        {"pace", 0.5, 0.02, 5.0},

@@ -89,6 +89,17 @@ TEST(Joint, AJointGetsAsStrongAsItWasWorkedMoreSoOnBothSides) {
   EXPECT_NEAR(pot.work(WallSide::outside, 0.0f), 0.86, 1e-6);
 }
 
+TEST(Joint, ABeatenJointGetsAsStrongAsTheWall) {
+  Ringed pot;
+  pot.building->beat(pot.lowest.to, 0.05);  // thinned by 5 %
+  EXPECT_NEAR(pot.strength(), 1.0 - 0.7 * std::exp(-1.0), 1e-6);
+  for (int n = 0; n < 20; ++n) pot.building->beat(pot.lowest.to, 0.01);
+  EXPECT_GT(pot.strength(), 0.98);
+  EXPECT_GT(pot.work(WallSide::outside, 0.0005f), 0.98) << "pinching takes nothing back";
+  pot.building->beat(0, 0.1);
+  EXPECT_EQ(pot.building->strength(*pot.def.building, 0), 1.0) << "the floor has no joint";
+}
+
 // A ring may get wider than it was laid by a tenth as laid, by a quarter when pinched.
 TEST(Joint, APinchedJointHoldsWhereOneThatWasOnlyLaidTears) {
   const auto tears = [](bool pinched, float wider, double thickness) {

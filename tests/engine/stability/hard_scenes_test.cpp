@@ -95,6 +95,23 @@ TEST(HardScenes, WhateverIsBuiltOfCoils) {
     }
 }
 
+// By the weakest blows and the strongest, with the smallest paddle and the largest, on clay as soft
+// and as stiff as it may be.
+TEST(HardScenes, WhateverIsBeaten) {
+  std::uint64_t seed = 60;
+  for (const double energy : {0.001, 2.0})
+    for (const double face : {0.005, 0.08})
+      for (const double stress : {5e3, 1e6}) {
+        SceneDef def = everything(small(40, 32));
+        def.beating = BeatingDef{energy, face, stress};
+        def.clay.keep_undo = true;
+        Trial trial = anything(def, ++seed, 4000);
+        for (Stroke& stroke : trial.strokes)
+          for (Stroke::Part& part : stroke.hand) part.beats = true;
+        expect_stable(trial);
+      }
+}
+
 TEST(HardScenes, AllEffectsTogether) {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u})
     expect_stable(anything(everything(small(48, 40)), seed, 8000));

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "engine/base/def_field.h"
+#include "engine/clay/clay.h"
+#include "engine/effects/row_stage.h"
+#include "engine/math/vec.h"
+
+namespace onggi {
+
+/// A potter beats the wall between a paddle outside and an anvil inside (HandInput::blow and
+/// anvil). The wall between them gets thinner, wider and higher. Needs volume.
+///
+/// The defaults are those of a jar at a third of its size: 0.8 J on the jar itself, with a paddle
+/// 12 cm wide, are 0.03 J and 4 cm here, because energy goes with the cube of the length.
+struct BeatingDef {
+  double energy = 0.03;  ///< J, 0.001..2: what a blow spends on the clay. For two bodies that stay
+                         ///< together: m M / (m + M) v^2 / 2.
+  double face = 0.02;    ///< m, 0.005..0.08: radius of the paddle's face.
+  double yield_stress = 80e3;  ///< Pa, 5e3..1e6: stress along one direction at which dry clay
+                               ///< yields. Water weakens it (MoistureDef::weakening). Clay that was
+                               ///< left to stiffen a little; it is too wet to beat before.
+
+  static constexpr const char* kName = "beating";
+  static std::span<const DefField<BeatingDef>> fields();
+};
+
+namespace effects {
+
+/// What a blow did.
+struct Struck {
+  double force = 0.0;    ///< N, the mean while the clay yields; 0: the blow missed.
+  double thinner = 0.0;  ///< m, in the middle of the face; 0 without an anvil.
+  double moved = 0.0;    ///< m, how far the wall went as a whole there; 0 with an anvil.
+  Vec3 out;              ///< Unit, level, clay frame: away from the wall, towards the paddle.
+};
+
+/// A blow ends within one to three ticks. So it is solved at once, as a balance of its energy and
+/// the clay's plastic work. See engine/docs/effects.md. Keeps nothing between ticks but what the
+/// last one's blows did. No allocation; one thread.
+class Beating : public KeepsNoRows {
+ public:
+  static constexpr bool kAsksMoves = false;
+  static bool wanted(const Effects& def);
+  static Beating make(const Effects&, Clay&) { return {}; }
+
+  /// Stage 6.9: the blows of the tick. O(rows under the face x sectors) for each.
+  void run(const StageWork& work) noexcept;
+  /// What hand `n` struck in the last tick.
+  const Struck& struck(std::size_t n) const { return struck_[n]; }
+
+ private:
+  std::array<Struck, kMostHands> struck_{};
+};
+
+}  // namespace effects
+}  // namespace onggi

@@ -1,0 +1,302 @@
+// Blows between paddle and anvil: what they cost in energy, and what they do to the wall.
+#include "engine/effects/beating.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/math/portable.h"
+#include "engine/scene/scene.h"
+#include "tests/engine/effects/random_hands.h"
+
+namespace onggi::effects::beating_test {
+namespace {
+
+using namespace effects_test;
+
+constexpr double kWall = 0.008, kOuter = 0.060;
+
+// An upright wall, 120 mm high.
+SceneDef wall(int rows = 120, int sectors = 180) {
+  SceneDef def;
+  each_effect(def, [](auto& effect) { effect.reset(); });
+  def.clay.rows = rows;
+  def.clay.sectors = sectors;
+  def.clay.height = 0.120;
+  def.clay.floor_thickness = 0.010;
+  def.clay.outer_radius = kOuter;
+  def.clay.inner_radius = kOuter - kWall;
+  def.clay.wall_min = 0.001;
+  def.wheel.acceleration = 1000.0;
+  def.volume.emplace();
+  def.beating.emplace();
+  return def;
+}
+
+// A hand with a paddle in front of the wall, which it does not touch.
+HandInput paddle(double height = 0.06, double angle = 0.0, bool anvil = true) {
+  HandInput hand;
+  const double out = kOuter + 0.012;
+  hand.position = {out * portable::cos(angle), height, out * portable::sin(angle)};
+  hand.active = true;
+  hand.anvil = anvil;
+  return hand;
+}
+
+// Strikes once, and returns what the hand was told while the paddle lay there.
+HandFeedback strike(Scene& scene, const HandInput& hand, double tick = 0.001) {
+  Hands hands;
+  hands.hand[0] = hand;
+  scene.step(hands, tick);
+  hands.hand[0].blow = true;
+  const HandFeedback felt = scene.step(hands, tick).hand[0];
+  hands.hand[0].blow = false;
+  scene.step(hands, tick);  // now heights follow
+  return felt;
+}
+
+double thickness(const Clay& clay, int j, std::size_t i) {
+  return double{clay.outer(j)[i]} - double{clay.inner(j)[i]};
+}
+int row_at(const Clay& clay, double height) { return clay.first_row_above(height); }
+
+struct Middle {
+  double outer, wall;
+};
+Middle middle_of(const Scene& scene, double height = 0.06) {
+  const int j = row_at(scene.clay(), height);
+  return {double{scene.clay().outer(j)[0]}, thickness(scene.clay(), j, 0)};
+}
+
+TEST(ABlow, SpendsItsEnergyOnTheClayThatItThins) {
+  for (const double energy : {0.01, 0.03, 0.1}) {
+    SceneDef def = wall(240, 360);
+    def.beating->energy = energy;
+    Scene scene = made(def);
+    const std::vector<double> heights(scene.clay().row_thicknesses().begin(),
+                                      scene.clay().row_thicknesses().end());
+    strike(scene, paddle());
+    // Of each element: stress times ln(before / after) times its volume, and the press of the rough
+    // faces on a disc of 20 mm.
+    const double sector = kOuter * 2.0 * portable::kPi / 360;
+    double logs = 0.0;
+    for (int j = scene.clay().floor_rows(); j < scene.clay().rows(); ++j)
+      for (std::size_t i = 0; i < 360; ++i)
+        logs += std::log(kWall / thickness(scene.clay(), j, i)) * kWall * sector *
+                heights[static_cast<std::size_t>(j)];
+    const double pressure = 80e3 * (1.0 + 2.0 * 0.02 / (3.0 * std::sqrt(3.0) * kWall));
+    EXPECT_NEAR(pressure * logs / energy, 1.0, 0.01) << energy;
+  }
+}
+
+TEST(ABlow, OnAJarOfFullSizeIsAsPottersKnowIt) {
+  // 0.6 kg of paddle and hand against 1.2 kg of anvil and hand, at 2 m/s.
+  SceneDef def = wall(120, 180);
+  def.clay.height = 0.36;
+  def.clay.outer_radius = 0.18;
+  def.clay.inner_radius = 0.156;
+  def.clay.radius_max = 0.4;
+  def.beating->energy = 0.5 * 0.4 * 2.0 * 2.0;
+  def.beating->face = 0.06;
+  Scene scene = made(def);
+  HandInput hand = paddle(0.18);
+  hand.position.x = 0.19;
+  const HandFeedback felt = strike(scene, hand);
+  EXPECT_GT(felt.blow, 300.0);
+  EXPECT_LT(felt.blow, 1200.0);
+  const int j = row_at(scene.clay(), 0.18);
+  const double mean = (0.024 - thickness(scene.clay(), j, 0)) / 3.0;  // over the face
+  EXPECT_GT(mean, 0.0001);
+  EXPECT_LT(mean, 0.0005);
+}
+
+TEST(ABlow, KeepsTheClay) {
+  Scene scene = made(wall());
+  const double before = scene.clay().volume();
+  for (int n = 0; n < 200; ++n) strike(scene, paddle(0.03 + 0.0004 * n, 0.7 * n));
+  EXPECT_GT(scene.clay().rim_height(), 0.125);
+  EXPECT_NEAR(scene.clay().volume() / before, 1.0, 1e-7);
+}
+
+TEST(ABlow, SpreadsTheWallAsMuchRoundAsUp) {
+  Scene scene = made(wall());
+  const int j = row_at(scene.clay(), 0.06);
+  const auto girth = [&] {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 180; ++i)
+      sum += double{scene.clay().outer(j)[i]} + double{scene.clay().inner(j)[i]};
+    return sum;
+  };
+  const auto thick = [&] {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 180; ++i) sum += std::log(thickness(scene.clay(), j, i));
+    return sum / 180.0;
+  };
+  const double wide = girth(), high = scene.clay().row_thickness(j), thin = thick();
+  for (int n = 0; n < 60; ++n) strike(scene, paddle(0.06, 2.0 * portable::kPi * n / 20.0));
+  const double wider = std::log(girth() / wide),
+               higher = std::log(scene.clay().row_thickness(j) / high), thinner = thin - thick();
+  EXPECT_GT(thinner, 0.03);
+  EXPECT_NEAR(wider, 0.5 * thinner, 0.02 * thinner);
+  EXPECT_NEAR(wider + higher, thinner, 0.01 * thinner);
+}
+
+TEST(ABlow, WithoutAnAnvilDentsTheWall) {
+  Scene scene = made(wall());
+  const HandFeedback felt = strike(scene, paddle(0.06, 0.0, false));
+  const Middle now = middle_of(scene);
+  EXPECT_NEAR(now.wall, kWall, 1e-7);
+  const double load = portable::kPi * 80e3 * kWall * kWall;  // of a clamped plate
+  EXPECT_NEAR(felt.blow, load, 0.01 * load);
+  EXPECT_NEAR(kOuter - now.outer, 0.03 / load, 0.03 * 0.03 / load);
+}
+
+TEST(ABlow, OfTheAnvilAloneBulgesTheWall) {
+  Scene scene = made(wall());
+  HandInput hand = paddle(0.06, 0.0, false);
+  hand.position.x = kOuter - kWall - 0.012;
+  strike(scene, hand);
+  const Middle now = middle_of(scene);
+  EXPECT_NEAR(now.wall, kWall, 1e-7);
+  EXPECT_GT(now.outer, kOuter + 0.0005);
+}
+
+TEST(ABlow, IsHeldByAHandBehindTheWallAsByAnAnvil) {
+  const auto thinned = [](double apart) {
+    SceneDef def = wall();
+    def.walls.emplace();
+    Scene scene = made(def);
+    Hands hands;
+    hands.hand[0] = paddle(0.06, 0.0, false);
+    hands.hand[1].active = true;
+    hands.hand[1].position = {kOuter - kWall - def.tool.radius + 0.0002, 0.06 + apart, 0.0};
+    for (int n = 0; n < 30; ++n) scene.step(hands, 0.001);
+    const double before = middle_of(scene).wall;
+    hands.hand[0].blow = true;
+    scene.step(hands, 0.001);
+    return before - middle_of(scene).wall;
+  };
+  const double facing = thinned(0.0), aside = thinned(0.015), far = thinned(0.05);
+  EXPECT_GT(facing, 0.0003);
+  EXPECT_LT(aside, 0.8 * facing);
+  EXPECT_GT(aside, 0.1 * facing);
+  EXPECT_LT(far, 1e-5);
+}
+
+TEST(ABlow, OnWetClayIsWeakAndGoesDeep) {
+  const auto struck = [](double wetness) {
+    SceneDef def = wall();
+    def.moisture.emplace().air = wetness;
+    def.moisture->drying_time = 1.0;
+    Scene scene = made(def);
+    for (int n = 0; n < 10000; ++n) scene.step({}, 0.005);
+    const double force = strike(scene, paddle()).blow;
+    return Middle{force, kWall - middle_of(scene).wall};
+  };
+  const Middle dry = struck(0.0), wet = struck(0.5);
+  EXPECT_LT(wet.outer, 0.3 * dry.outer);  // N
+  EXPECT_GT(wet.wall, 2.0 * dry.wall);
+}
+
+TEST(ABlow, InTheAirOrOnSolidClayDoesNothing) {
+  SceneDef solid = wall();
+  solid.clay.floor_thickness = solid.clay.height;
+  HandInput far = paddle();
+  far.position.x = kOuter + 0.05;
+  HandInput above = paddle(0.16);
+  for (const auto& [def, hand] : {std::pair{wall(), far}, std::pair{wall(), above},
+                                  std::pair{wall(), paddle(0.0)}, std::pair{solid, paddle()}}) {
+    Scene scene = made(def);
+    const std::uint64_t before = scene.clay().hash();
+    HandInput low = hand;
+    if (hand.position.y == 0.0) low.position.y = -0.03;
+    EXPECT_EQ(strike(scene, low).blow, 0.0);
+    EXPECT_EQ(scene.clay().hash(), before);
+  }
+}
+
+TEST(ABlow, LandsOnceHoweverLongThePaddleLies) {
+  const auto after = [](int ticks, double tick) {
+    Scene scene = made(wall());
+    Hands hands;
+    hands.hand[0] = paddle();
+    scene.step(hands, tick);
+    hands.hand[0].blow = true;
+    for (int n = 0; n < ticks; ++n) {
+      EXPECT_TRUE(scene.step(hands, tick).hand[0].contact);
+    }
+    hands.hand[0].blow = false;
+    EXPECT_FALSE(scene.step(hands, tick).hand[0].contact);
+    return scene.clay().hash();
+  };
+  EXPECT_EQ(after(1, 0.001), after(200, 0.001));
+  EXPECT_EQ(after(1, 0.001), after(3, 0.005));
+}
+
+TEST(ABlow, IsTheSameOnAnyGrid) {
+  const auto thinned = [](int rows, int sectors) {
+    Scene scene = made(wall(rows, sectors));
+    strike(scene, paddle(0.06, portable::kPi / sectors));
+    double least = 1.0;
+    for (int j = scene.clay().floor_rows(); j < scene.clay().rows(); ++j)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(sectors); ++i)
+        least = std::min(least, thickness(scene.clay(), j, i));
+    return kWall - least;
+  };
+  const double fine = thinned(480, 720);
+  EXPECT_NEAR(thinned(240, 360), fine, 0.01 * fine);
+  EXPECT_NEAR(thinned(120, 180), fine, 0.03 * fine);
+  EXPECT_NEAR(thinned(40, 72), fine, 0.15 * fine);
+}
+
+TEST(ABlow, LeavesTheThinnestWallAsItIs) {
+  SceneDef def = wall();
+  def.clay.wall_min = kWall - 0.0001;
+  Scene scene = made(def);
+  for (int n = 0; n < 50; ++n) strike(scene, paddle());
+  for (int j = scene.clay().floor_rows(); j < scene.clay().rows(); ++j)
+    for (std::size_t i = 0; i < 180; ++i)
+      ASSERT_GT(thickness(scene.clay(), j, i), def.clay.wall_min * (1.0 - 1e-6));
+}
+
+TEST(ABlow, IsTakenBackByUndo) {
+  Scene scene = made(wall());
+  const double rim = scene.clay().rim_height(), before = middle_of(scene).wall;
+  for (int n = 0; n < 5; ++n) strike(scene, paddle());
+  EXPECT_GT(scene.clay().rim_height(), rim);
+  EXPECT_TRUE(scene.can_restore());
+  Hands hands;
+  hands.restore = true;
+  for (int n = 0; n < 1000; ++n) scene.step(hands, 0.001), hands.restore = false;
+  EXPECT_NEAR(scene.clay().rim_height(), rim, 1e-9);
+  EXPECT_EQ(middle_of(scene).wall, before);
+}
+
+TEST(ABlow, PushesTheHandBackThroughTheGuard) {
+  SceneDef def = wall();
+  def.guard.engage_time = 0.05;
+  Scene scene = made(def);
+  Hands hands;
+  hands.hand[0] = paddle();
+  for (int n = 0; n < 200; ++n) scene.step(hands, 0.001);
+  hands.hand[0].blow = true;
+  double most = 0.0, last = 0.0;
+  int felt = 0;
+  for (int n = 0; n < 100; ++n) {
+    const Vec3 force = scene.step(hands, 0.001).hand[0].force;
+    EXPECT_LE(std::fabs(length(force) - last), def.guard.max_slew * 0.001 + 1e-9);
+    last = length(force);
+    if (last > most) most = last;
+    felt += last > 0.0 ? 1 : 0;
+    EXPECT_GE(force.x, 0.99 * last);  // away from the wall
+  }
+  EXPECT_GT(most, 2.0);
+  EXPECT_LE(most, def.guard.max_force);
+  EXPECT_GE(felt, 15);
+  EXPECT_LE(felt, 30);
+}
+
+}  // namespace
+}  // namespace onggi::effects::beating_test
