@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/nearest_name.h"
+#include "engine/script/beating_up.h"
 #include "engine/script/carving.h"
 #include "engine/script/coiling.h"
 #include "engine/script/demonstrations.h"
@@ -98,6 +99,11 @@ constexpr ScriptInfo kScripts[] = {
      {.target = true},
      "building",
      build_up},
+    {"beat",
+     "beat the wall between paddle and anvil, from the foot to the rim",
+     {},
+     "beating",
+     beat_wall},
 };
 
 constexpr auto kNames = [] {

@@ -61,6 +61,26 @@ std::uint64_t coils_hash(SceneDef def, Vectors kind) {
   return scene->state_hash();
 }
 
+// A wall that is beaten with an anvil, without one, and from inside, and the last step undone.
+std::uint64_t blows_hash(SceneDef def, Vectors kind) {
+  def.beating.emplace();
+  auto scene = Scene::create(def, kind);
+  if (!scene) return 0;
+  Hands hands;
+  hands.wheel_speed = 3.0;
+  for (int n = 0; n < 4000; ++n) {
+    HandInput& hand = hands.hand[0];
+    hand.active = true;
+    hand.blow = n % 90 > 60;
+    hand.anvil = n < 2000;
+    hand.position = {n < 3000 ? 0.064 : 0.022, 0.05 + 0.00002 * n, 0.003 * portable::sin(0.02 * n)};
+    hands.hand[1] = {{0.026, 0.06 + 0.00002 * n, 0.0}, n % 700 > 500 && n < 3000, SideWish::inside};
+    hands.restore = n == 3900;
+    scene->step(hands, n % 5 == 0 ? 0.0016 : 0.001);
+  }
+  return scene->state_hash();
+}
+
 }  // namespace
 
 std::string tools_trace(Vectors kind) {
@@ -71,6 +91,7 @@ std::string tools_trace(Vectors kind) {
   each_effect(def, [](auto& effect) { effect.emplace(); });
   def.kiln.reset();      // comes when the wheel stands
   def.building.reset();  // at the end
+  def.beating.reset();
   def.moisture->sponge_height = 0.06;
   auto scene = Scene::create(def, kind);
   if (!scene) return "";
@@ -101,6 +122,7 @@ std::string tools_trace(Vectors kind) {
     hashes << shape.name << ' ' << std::hex << scene->state_hash() << '\n';
   }
   hashes << "coils " << coils_hash(def, kind) << '\n';
+  hashes << "blows " << blows_hash(def, kind) << '\n';
   return hashes.str();
 }
 

@@ -13,9 +13,9 @@ namespace onggi {
 std::string engine_trace(int seconds = 6, Vectors kind = best_vectors());
 
 /// Every tool in turn, outside and inside, beside a second hand, on a small grid with every effect
-/// that a tick can have, and coils laid on such a wall: each tool's name and the state's hash after
-/// it, a line each, as
-/// tests/golden/tools_trace.txt holds them. Empty where no scene can be made.
+/// that a tick can have, then coils laid on such a wall, and blows that beat it: each tool's name
+/// and the state's hash after it, a line each, as tests/golden/tools_trace.txt holds them. Empty
+/// where no scene can be made.
 std::string tools_trace(Vectors kind = best_vectors());
 
 }  // namespace onggi

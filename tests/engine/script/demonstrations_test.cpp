@@ -117,6 +117,24 @@ TEST(Demonstrations, RibSmoothTakesTheLineAway) {
   EXPECT_LT(with, 0.7 * unevenness(play("rib_smooth", def).scene));
 }
 
+TEST(Demonstrations, BeatMakesTheWallThinnerWiderAndHigher) {
+  SceneDef def = everything();
+  def.clay.inner_radius = 0.045;
+  def.beating = BeatingDef{0.08, 0.03, 16e3};  // soft clay, as in config/scenes/built.toml
+  const auto played = [](const SceneDef& scene) {
+    return play("beat", scene).scene.clay().profile();
+  };
+  const Profile beaten = played(def);
+  def.beating.reset();
+  const Profile plain = played(def);
+  EXPECT_NEAR(plain.height(), def.clay.height, 0.002) << "no hand presses the wall";
+  EXPECT_GT(beaten.height(), 1.05 * plain.height());
+  const double h = 0.5 * plain.height();
+  EXPECT_GT(beaten.outer_at(h), plain.outer_at(h) + 0.0005);
+  EXPECT_LT(beaten.outer_at(h) - beaten.inner_at(h),
+            0.95 * (plain.outer_at(h) - plain.inner_at(h)));
+}
+
 // On a disc, as a jar of onggi begins.
 TEST(Demonstrations, CoilUpLaysFiveRingsThatCloseEachWithItsOwnClay) {
   SceneDef def = everything();
