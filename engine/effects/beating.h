@@ -31,10 +31,8 @@ namespace effects {
 
 /// What a blow did.
 struct Struck {
-  double force = 0.0;    ///< N, the mean while the clay yields; 0: the blow missed.
-  double thinner = 0.0;  ///< m, in the middle of the face; 0 without an anvil.
-  double moved = 0.0;    ///< m, how far the wall went as a whole there; 0 with an anvil.
-  Vec3 out;              ///< Unit, level, clay frame: away from the wall, towards the paddle.
+  double force = 0.0;  ///< N, the mean while the clay yields; 0: the blow missed.
+  Vec3 out;            ///< Unit, level, clay frame: away from the wall, towards the paddle.
 };
 
 /// A blow ends within one to three ticks. So it is solved at once, as a balance of its energy and

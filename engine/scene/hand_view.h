@@ -8,6 +8,9 @@
 
 namespace onggi {
 
+/// HandView::name of a paddle, which is held in place of a tool.
+inline constexpr std::string_view kPaddle = "paddle";
+
 /// One hand for drawing: what it holds, where, and how. BodyKind says what the sizes mean. Plain
 /// values; studio frame, metres.
 struct HandView {

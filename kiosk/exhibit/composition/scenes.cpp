@@ -181,6 +181,11 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
     wheel.pace = def.building->pace;
     wheel.tools.insert(wheel.tools.begin(), {0, kCoil, 0.5 * *wheel.coil, 0.5 * *wheel.coil});
   }
+  if (def.beating) {
+    wheel.face = def.beating->face;
+    wheel.tools.insert(wheel.tools.begin() + (wheel.coil ? 1 : 0),
+                       {0, std::string(kPaddle), *wheel.face, *wheel.face});
+  }
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);
         info != nullptr &&

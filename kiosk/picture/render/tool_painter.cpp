@@ -18,6 +18,7 @@ const glm::vec3 kSlip(0.30f, 0.185f, 0.125f), kBoxwood(0.47f, 0.31f, 0.165f),
 
 // Metres.
 constexpr double kHandle = 0.07, kHandleRadius = 0.0042, kFerrule = 0.016, kFerruleRadius = 0.0022;
+constexpr double kPaddleHandle = 0.06;
 constexpr double kToggle = 0.03, kToggleRadius = 0.0055;
 // Visible length of a finger before it fades into the air, in radii.
 constexpr double kFinger = 3.2;
@@ -200,7 +201,8 @@ double ToolPainter::reach(const HandView& hand) {
     case BodyKind::capsule:
       return hand.length + (kFinger + 1.0) * hand.radius + (is_needle(hand) ? kHandle : 0.0);
     case BodyKind::box:
-      return length(Vec3{hand.radius, 0.5 * hand.length, 0.5 * hand.thickness});
+      return length(Vec3{hand.radius, 0.5 * hand.length, 0.5 * hand.thickness}) +
+             (hand.name == kPaddle ? kPaddleHandle : 0.0);
     case BodyKind::cylinder:
       return hand.radius + hand.thickness + (is_loop(hand) ? kFerrule + kHandle + 0.01 : 0.0);
     case BodyKind::wire:
@@ -239,7 +241,10 @@ void ToolPainter::draw(const HandView& hand, const Levels& levels, const glm::ma
     }
     case BodyKind::box:
       place.set(kWood, at, along, across, half);
-      return box_.draw();
+      box_.draw();
+      if (hand.name == kPaddle)
+        place.rod(capsule_, kWood, at + along * half.y, along, across, 0.9 * half.z, kPaddleHandle);
+      return;
     case BodyKind::cylinder: {
       const bool loop = is_loop(hand);
       place.set(loop ? kMetal : kWood, at, along, across, {radius, radius, half.z});

@@ -29,7 +29,7 @@ bool CoilAtWheel::wall_is_there_now() {
 
 void CoilAtWheel::hold(bool on, WheelSpeed& speed) {
   hand_ = on ? std::optional<CoilHand>(diameter()) : std::nullopt;
-  desk_.world.wheel_commands->hold_coil(on);
+  desk_.world.wheel_commands->hold(on ? loop::InHand::coil : loop::InHand::tool);
   const double widest = target() != nullptr ? target()->max_radius() : 0.0;
   speed.lay(on, widest > 0 ? kSurelyLays * desk_.wheel().pace / widest : 0.0, desk_);
 }

@@ -78,6 +78,7 @@ Hint next_hint(const HintInput& in) {
   if (in.coil > 0 && lacks_a_ring(in.made->height(), in.target->height(), in.coil))
     return in.coil_held ? Hint{"hint.lay_coil", {}, {}} : Hint{"hint.take_coil", in.tools_way, {}};
   if (in.coil_held) return {"hint.high_enough", {}, {}};
+  if (in.paddle_held) return {"hint.beat", {}, {}};
   if (!in.described.empty()) return {in.described, {}, {}};
   if (in.score == nullptr) return {"hint.begin", {}, {}};
   for (const score::Remark& remark : in.score->try_next)
@@ -101,6 +102,9 @@ std::vector<std::string> all_hints(const Desk& desk) {
     for (std::size_t held = 0; held <= desk.wheel().tools.size(); ++held)
       all.push_back(words_of({"hint.take_coil", ToolTray::way_in(desk, held), {}}, desk));
   }
+  if (desk.wheel().face)
+    for (const char* key : {"hint.beat", "hint.beat_all", "stroke.beats"})
+      all.push_back(desk.say(key));
   for (const auto& said : kWithoutPlace) all.push_back(desk.say(said.second));
   if (desk.described() != nullptr)
     for (const std::string& key : MeasuredPot::hints()) all.push_back(desk.say(key));

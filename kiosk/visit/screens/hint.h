@@ -23,6 +23,7 @@ struct HintInput {
   bool coil_held = false;   ///< and whether one is in the hand.
   std::string tools_way{};  ///< Language key of the words on the button to the tools.
   std::string described{};  ///< The hint for wanted figures, if there is no outline to copy.
+  bool paddle_held = false;
 };
 
 /// A pot of `height` is too low for its vessel by most of a ring of coil, m.

@@ -69,7 +69,11 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
         true, now.water);
     // Reserve its place, unless the exhibit never shows it.
     if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
-      add("throw.show", now.coil ? "throw.lay" : "throw.show", now.show.look, !now.show.id.empty());
+      add("throw.show",
+          now.coil     ? "throw.lay"
+          : now.paddle ? "throw.beat"
+                       : "throw.show",
+          now.show.look, !now.show.id.empty());
   }
   add("throw.done", "throw.done", now.onward ? Look::solid : Look::outline, true);
   if (!happened)
@@ -266,6 +270,7 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
 std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
   if (!now.news.empty()) return desk.say(now.news);
   if (now.coil && now.working) return desk.say("stroke.lays");
+  if (now.paddle) return desk.say(now.working ? "stroke.beats" : "hint.beat_all");
   if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
   // A button lays the coil.
   if (hint.key == "hint.lay_coil" || hint.key == "hint.take_coil") return desk.say("hint.lay_ring");
@@ -433,7 +438,8 @@ void lay_out_throwing(Page& page, const Desk& desk, const ThrowingControls& now,
     ToolTray::lay_out(page, tray_room(page), desk, now.held);
   if (now.drawer != Drawer::closed) return drawer(column, desk, now);
   if (now.board)
-    return now.board->lay_out(column, desk, ways(desk, now), now.parts, now.working && !now.coil,
+    return now.board->lay_out(column, desk, ways(desk, now), now.parts,
+                              now.working && !now.coil && !now.paddle,
                               sentence_of(desk, now, hint));
   heading(column, desk, now);
   if (now.mishap != Mishap::none) return tell_mishap(column, desk, now.mishap);

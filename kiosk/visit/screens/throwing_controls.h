@@ -35,6 +35,7 @@ struct ThrowingControls {
   Drawer drawer = Drawer::closed;
   std::size_t held = 0;  ///< Index in the tray: 0 is the hands.
   bool coil = false;     ///< A coil is held: "Show me" lays a ring of it.
+  bool paddle = false;   ///< A paddle is held: "Show me" beats the wall once up.
   Mishap mishap = Mishap::none;
   const StrokeBoard* board = nullptr;  ///< Strokes by buttons, and the questions about them.
   std::vector<PartOff> parts = {};

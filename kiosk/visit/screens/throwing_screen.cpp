@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
-#include "kiosk/visit/screens/coil_at_wheel.h"
 #include "kiosk/visit/screens/hint.h"
+#include "kiosk/visit/screens/instead_of_hands.h"
 #include "kiosk/visit/screens/lesson_line.h"
 #include "kiosk/visit/screens/measured_pot.h"
 #include "kiosk/visit/screens/mishap.h"
@@ -42,15 +43,16 @@ class Throwing final : public Screen {
   explicit Throwing(Desk& d)
       : Screen(d),
         hands_(d.wheel(), d.two_hands() && !StrokeBoard::wanted(d)),
-        coil_(d, d.two_hands()),
+        instead_(d, d.two_hands()),
         speed_(d),
         by_keys_(d.by_keys) {}
   ScreenId id() const override { return ScreenId::throwing; }
   std::string first_focus() const override {
     if (!by_buttons()) return "";
     const bool shows = !desk.touched && aim() != nullptr && !dark() && !hands_.two();
-    const bool lays = coil_.held() && coil_.lacks_a_ring() && aim() != nullptr && !dark();
-    const char* usual = lays     ? "throw.show"
+    const bool itself = (instead_.paddle() || (coil().held() && coil().lacks_a_ring())) &&
+                        aim() != nullptr && !dark();
+    const char* usual = itself   ? "throw.show"
                         : !menu_ ? StrokeBoard::kFirst
                         : shows  ? "throw.show"
                                  : "throw.done";
@@ -65,7 +67,8 @@ class Throwing final : public Screen {
       speed_.send(desk);
       desk.world.wheel_commands->water(water_.wet());
       // A pot that comes back from its result has what its hands held then.
-      if (coil_.built() || coil_.held()) take_up(coil_.lacks_a_ring() ? CoilAtWheel::kTool : 0);
+      if (coil().built() || instead_.held())
+        take_up(coil().lacks_a_ring() ? CoilAtWheel::kTool : 0);
     }
     if (done_) return finish();
     // The pot is cut off, so the throwing is over.
@@ -87,12 +90,12 @@ class Throwing final : public Screen {
       hands_.follow(desk.world.wheel->clay, dt, contacts);
       send_hand();
     }
-    if (coil_.active() && desk.pot_ready()) {
-      coil_.hand().follow(desk.world.wheel->clay, dt);
+    if (instead_.active() && desk.pot_ready()) {
+      instead_.follow(dt);
       send_hand();
     }
     // A new touch builds higher. Buttons go on to the strokes, with the focus where it is.
-    if (coil_.wall_is_there_now() && coil_.held()) by_buttons() ? take_up(0) : let_go();
+    if (coil().wall_is_there_now() && coil().held()) by_buttons() ? take_up(0) : let_go();
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
     clay_.look(desk, contact);
     water_.look(contact, desk.status.feedback.wetness, dt);
@@ -102,10 +105,11 @@ class Throwing final : public Screen {
     look_how_good(target);
     // Say nothing about the previous pot.
     if (desk.pot_ready())
-      hint_.update(desk.now, {target, &picture_.made(), score_ ? &*score_ : nullptr,
-                              speed_.asked() > 0, grip_, desk.touched, water_.asked_for(),
-                              desk.wheel().tool_radius, coil_.diameter(), coil_.held(),
-                              ToolTray::way_in(desk, held_), MeasuredPot::hint(desk)});
+      hint_.update(desk.now,
+                   {target, &picture_.made(), score_ ? &*score_ : nullptr, speed_.asked() > 0,
+                    grip_, desk.touched, water_.asked_for(), desk.wheel().tool_radius,
+                    coil().diameter(), coil().held(), ToolTray::way_in(desk, held_),
+                    MeasuredPot::hint(desk), instead_.paddle()});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -148,11 +152,12 @@ class Throwing final : public Screen {
         water_.would_help(),
         onward,
         desk.status.can_restore && whole,
-        coil_.button(show_.button(desk, aim() == nullptr || dark() || hands_.two())),
+        instead_.button(show_.button(desk, aim() == nullptr || dark() || hands_.two())),
         whole && LessonLine::shown(desk) != nullptr,
         drawer_,
         held_,
-        coil_.held(),
+        coil().held(),
+        instead_.paddle(),
         mishap_.now(),
         StrokeBoard::wanted(desk) && whole ? &board_ : nullptr,
         parts(),
@@ -188,13 +193,13 @@ class Throwing final : public Screen {
       let_go();
       clay_.renewed(desk);
       desk.world.wheel_commands->renew();
-      if (coil_.built()) take_up(CoilAtWheel::kTool);
+      if (coil().built()) take_up(CoilAtWheel::kTool);
     } else if (control == "throw.restore") {
       let_go();
       clay_.undone(desk);
       mishap_.go_back(desk);
-    } else if (control == "throw.show" && coil_.held()) {
-      lay_a_ring();
+    } else if (control == "throw.show" && instead_.held()) {
+      work_by_itself();
     } else if (control == "throw.show") {
       if (held_ > 0) take_up(0);
       show_pot();
@@ -218,7 +223,7 @@ class Throwing final : public Screen {
   }
 
   void hold(const std::string& control) override {
-    if (control == "throw.show" && !coil_.held()) {
+    if (control == "throw.show" && !instead_.held()) {
       if (held_ > 0) take_up(0);
       if (const Profile* target = aim()) show_.hold(desk, *target, key_sign(), hands_.lead());
       send_hand();
@@ -258,8 +263,8 @@ class Throwing final : public Screen {
       hands_.two() ? show_.stop(hands_.lead()) : let_go();
     }
     if (show_.showing()) return;
-    if (coil_.held()) {
-      if (coil_.hand().pointer(e, camera_, desk.world.wheel->clay)) send_hand();
+    if (instead_.held()) {
+      if (instead_.pointer(e, camera_)) send_hand();
       return;
     }
     const Vec2 at = camera_.on_axis_plane(e.x, e.y);
@@ -302,7 +307,7 @@ class Throwing final : public Screen {
   void let_go() override {
     show_.stop(hands_.lead());
     hands_.lift();
-    coil_.lift();
+    instead_.lift();
     send_hand();
   }
   void comforted() override { speed_.send(desk); }
@@ -312,24 +317,26 @@ class Throwing final : public Screen {
     // With eyes closed, the difference is told after every stroke.
     const int asked = board_.asked() + (dark() ? strokes_ : 0);
     return PotTold{working(), asked,
-                   coil_.lacks_a_ring() ? std::vector<std::string>{desk.say("hint.lay_ring")}
-                                        : StrokeBoard::told(desk, parts())};
+                   coil().lacks_a_ring() ? std::vector<std::string>{desk.say("hint.lay_ring")}
+                                         : StrokeBoard::told(desk, parts())};
   }
 
  private:
   /// The keys move among buttons and do not move the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
-  bool active() const { return hands_.active() || coil_.active(); }
-  bool grabbed() const { return hands_.grabbed() || coil_.grabbed(); }
+  const CoilAtWheel& coil() const { return instead_.coil(); }
+  CoilAtWheel& coil() { return instead_.coil(); }
+  bool active() const { return hands_.active() || instead_.active(); }
+  bool grabbed() const { return hands_.grabbed() || instead_.grabbed(); }
   bool working() const { return show_.showing() || active() || cut_off_; }
   std::vector<PartOff> parts() const {
     return parts_off(desk.shelf_card(desk.card), picture_.made());
   }
   void make_stroke(device::Ask ask) {
     // No stroke shapes a wall that is not there.
-    if (coil_.lacks_a_ring()) {
-      if (!coil_.held()) take_up(CoilAtWheel::kTool);
-      if (!coil_.by_itself()) lay_a_ring();
+    if (coil().lacks_a_ring()) {
+      if (!coil().held()) take_up(CoilAtWheel::kTool);
+      if (!coil().by_itself()) work_by_itself();
       return;
     }
     if (held_ > 0) take_up(0);
@@ -339,13 +346,13 @@ class Throwing final : public Screen {
     send_hand();
   }
   double key_sign() const { return desk.screen().left_handed ? -1.0 : 1.0; }
-  void send_hand() { coil_.held() ? coil_.send(camera_) : hands_.send(desk, camera_); }
+  void send_hand() { instead_.held() ? instead_.send(camera_) : hands_.send(desk, camera_); }
   /// Pressed again, it stops.
-  void lay_a_ring() {
-    const bool stop = coil_.by_itself();
+  void work_by_itself() {
+    const bool stop = instead_.by_itself();
     let_go();
     if (const Profile* target = aim(); target != nullptr && !stop)
-      coil_.lay_a_ring(*target, key_sign());
+      instead_.work_by_itself(*target, key_sign());
     send_hand();
   }
   /// The target outline, if a hand may work towards it.
@@ -355,7 +362,7 @@ class Throwing final : public Screen {
   }
   void hold_with(Grip grip) {
     grip_ = grip;
-    if (grip == Grip::both || coil_.held()) take_up(0);
+    if (grip == Grip::both || instead_.held()) take_up(0);
     // A hand that works alone inside a closed wall is invisible.
     if (!cut_chosen_) cut_ = grip_ == Grip::inside;
     let_go();
@@ -370,22 +377,23 @@ class Throwing final : public Screen {
   void take_up(std::size_t which) {
     const SceneForVisitor wheel = desk.wheel();
     if (which > wheel.tools.size() || cut_off_) return;
-    const bool coil = wheel.coil && which == CoilAtWheel::kTool;
-    if (coil && !coil_.built()) return;
+    const std::string name = which > 0 ? wheel.tools[which - 1].name : "";
+    const bool instead = instead_.has(name);
+    if (!instead && (name == "coil" || name == kPaddle)) return;  // two visitors have neither
     let_go();
     show_pot();
     const WallHold::Part fine{0, wheel.tool_radius};
     if (which > 0 && wheel.tools[which - 1].tool == wheel.wire) {
       if (!clay_.comes_first(desk)) return;
-      if (coil_.held()) held_ = 0, coil_.hold(false, speed_);
+      if (instead_.held()) held_ = 0, instead_.take_up("", speed_);
       desk.world.wheel_commands->wheel(0);
       set_water(false);
       cut_off_.emplace(*wheel.wire);
       return;
     }
     held_ = which;
-    coil_.hold(coil, speed_);
-    if (coil) return;
+    instead_.take_up(name, speed_);
+    if (instead) return;
     if (which == 0) return hands_.take_up({wheel.palm, wheel.palm_radius}, fine);
     const SceneForVisitor::Tool& tool = wheel.tools[which - 1];
     hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
@@ -410,8 +418,8 @@ class Throwing final : public Screen {
     open_drawer(Drawer::closed);
     mishap_.stay();
     show_.stop(hands_.lead());
-    if (coil_.held())
-      coil_.hand().move_by_keys(key_sign(), outward, desk.world.wheel->clay);
+    if (instead_.held())
+      instead_.move_by_keys(key_sign(), outward, up);
     else
       hands_.move_by_keys(desk.world.wheel->clay, grip(), key_sign(), outward, up);
     send_hand();
@@ -470,7 +478,7 @@ class Throwing final : public Screen {
   HintLine hint_;
   MishapWatch mishap_;
   WheelHands hands_;
-  CoilAtWheel coil_;      ///< Held in place of the hands.
+  InsteadOfHands instead_;
   std::size_t held_ = 0;  ///< Index in the tray: 0 is the hands.
   std::optional<WireCut> cut_off_;
   ShowMe show_;

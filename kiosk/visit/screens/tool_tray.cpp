@@ -30,8 +30,13 @@ constexpr std::string_view kCoil =
     "arc 12,18 9,3 0 360; arc 12,14 9,3 0 180; 3,14 3,18; 21,14 21,18; "
     "arc 12,9 9,3 20 200; 3.4,8 3.4,12; 20.6,10 20.6,14";
 
+/// A paddle on the wall's outer face, and an anvil on the inner one.
+constexpr std::string_view kPaddleAndAnvil =
+    "12,2 12,22; 15,7 18,7 18,17 15,17 15,7; 18,12 23,12; arc 6,12 3.4,3.4 0 360; 6,15.4 6,21";
+
 std::string_view drawing_of(const std::string& tool) {
   if (tool == "coil") return kCoil;
+  if (tool == kPaddle) return kPaddleAndAnvil;
   const ToolShape* const shape = find_tool_shape(tool);
   return shape != nullptr && !shape->drawing.empty() ? shape->drawing : kBareHands;
 }

@@ -57,10 +57,13 @@ struct SceneForVisitor {
   /// first of `tools`.
   std::optional<double> coil;
   double pace = 0.5;  ///< m/s: a rim that passes faster takes no coil.
+  /// Radius of the face of the paddle that beats the wall, m; none: nobody beats it. The paddle is
+  /// then the first of `tools`, or the first after the coil.
+  std::optional<double> face;
   struct Tool {
     std::uint8_t tool = 0;  ///< HandInput::tool.
-    std::string name;       ///< Its shape's name, or "coil"; language keys "tool.flat_rib" and
-                            ///< "tool.flat_rib_is".
+    std::string name;       ///< Its shape's name, "coil" or "paddle"; language keys
+                            ///< "tool.flat_rib" and "tool.flat_rib_is".
     double reach = 0;       ///< m from the middle of its working part to the working face,
     double below = 0;       ///< and to its lowest point.
   };

@@ -32,6 +32,7 @@ Heard hear(const loop::LoopStatus& status) noexcept {
   out.wet = status.feedback.wetness;
   for (std::size_t i = 0; i < out.rub.size(); ++i) {
     const HandFeedback& felt = status.feedback.hand[i];
+    out.knock[i].force = felt.blow;
     if (!felt.contact) continue;
     out.rub[i] = {kind_of(status.hand[i].name), length(felt.touch.clay), length(felt.touch.push)};
   }

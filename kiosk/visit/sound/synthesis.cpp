@@ -77,6 +77,24 @@ double Synthesis::RubVoice::next(const Rub& rub, double wet, bool tune) noexcept
   return 0.55 * gain * out;
 }
 
+// A wall that rings has two partials of a struck shell; a dull one is a thump of noise. Both fade,
+// the wet one sooner.
+double Synthesis::KnockVoice::next(const Knock& knock, double wet) noexcept {
+  const double force = clamped_magnitude(knock.force, 2000.0);
+  if (const bool now = force > 0.0; now != lies) {
+    lies = now;
+    if (now) left = saturated(force, 40.0), thump.tune(150.0, 0.7);
+  }
+  const double ring = 1.0 - std::min(1.0, 2.0 * wet);
+  const double lasts = 0.022 + 0.05 * ring;  // s
+  left = left > 1e-5 ? left * (1.0 - 1.0 / (lasts * kRate)) : 0.0;
+  const double gain = loud.to(left);
+  if (gain == 0.0) return 0.0;
+  const double body = thump.next(noise.next());
+  const double tones = 0.7 * low.next(210.0 + 160.0 * ring) + 0.4 * high.next(530.0 + 430.0 * ring);
+  return 0.5 * gain * ((1.3 - 0.8 * ring) * body + (0.25 + 0.75 * ring) * tones);
+}
+
 double Synthesis::FireVoice::next(double fire, bool tune) noexcept {
   const double gain = loud.to(std::min(clamped_magnitude(fire, 1.0), 1.0));
   if (gain == 0.0) return 0.0;
@@ -111,6 +129,7 @@ void Synthesis::play(const Heard& heard, std::span<float> out) noexcept {
     const double wet = wet_.to(wet_now);
     double sum = hum(heard.wheel) + fire_.next(heard.fire, tune) + song_.next();
     for (std::size_t i = 0; i < rubs_.size(); ++i) sum += rubs_[i].next(heard.rub[i], wet, tune);
+    for (std::size_t i = 0; i < knocks_.size(); ++i) sum += knocks_[i].next(heard.knock[i], wet);
     // Loudness is roughly the square, so that half of the slider sounds like half.
     const double level = volume_.to(volume);
     sample = static_cast<float>(soft_clipped(level * level * sum));

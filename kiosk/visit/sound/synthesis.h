@@ -10,9 +10,9 @@
 namespace onggi::sound {
 
 /// Synthesises a quiet studio: the wheel's hum by its speed; clay rubbing on a hand, a sponge, a
-/// rib or a wire, by slip and push; and a kiln. No recordings; the same inputs give the same
-/// samples everywhere. Samples stay in -1..1 for any input, and a jump of an input makes no click.
-/// No allocation, no lock: it runs on the sound card's thread.
+/// rib or a wire, by slip and push; a paddle's blows; and a kiln. No recordings; the same inputs
+/// give the same samples everywhere. Samples stay in -1..1 for any input, and a jump of an input
+/// makes no click. No allocation, no lock: it runs on the sound card's thread.
 class Synthesis {
  public:
   /// Fills `out` with samples of one channel, kRate a second, for the state `heard`. A new touch
@@ -38,9 +38,22 @@ class Synthesis {
     double next(double fire, bool tune) noexcept;
   };
 
+  /// A blow of a paddle: dull on wet clay, ringing on clay that is ready to be beaten.
+  struct KnockVoice {
+    explicit KnockVoice(std::uint32_t seed) noexcept : noise(seed) {}
+    Noise noise;
+    Band thump;
+    Tone low, high;
+    Glide loud{0.0008};
+    double left = 0.0;  // of the last blow's loudness
+    bool lies = false;
+    double next(const Knock& knock, double wet) noexcept;
+  };
+
   double hum(double wheel) noexcept;
 
   std::array<RubVoice, kMaxHands> rubs_{RubVoice{3}, RubVoice{5}};
+  std::array<KnockVoice, kMaxHands> knocks_{KnockVoice{31}, KnockVoice{37}};
   FireVoice fire_;
   OutlineVoice song_;
   std::array<Tone, 3> partials_;

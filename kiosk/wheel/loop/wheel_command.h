@@ -8,6 +8,7 @@
 #include "engine/scene/hands.h"
 #include "engine/script/script.h"
 #include "kiosk/wheel/device/hand_device.h"
+#include "kiosk/wheel/loop/in_hand.h"
 
 namespace onggi::loop {
 
@@ -38,8 +39,8 @@ struct Take {
   int hand = 0;
   std::uint8_t tool = 0;
 };
-struct HoldCoil {  ///< Hand 0.
-  bool on = false;
+struct Hold {
+  InHand what = InHand::tool;
 };
 struct TurnWheel {
   double rad_per_s = 0.0;
@@ -67,9 +68,9 @@ struct ClearFaults {
 
 using Command =
     std::variant<command::GiveBack, command::Put, command::Play, command::Attach, command::Detach,
-                 command::Lead, command::Take, command::HoldCoil, command::TurnWheel,
-                 command::Water, command::Renew, command::Restore, command::Pause, command::Show,
-                 command::Harden, command::Decorate, command::ClearFaults>;
+                 command::Lead, command::Take, command::Hold, command::TurnWheel, command::Water,
+                 command::Renew, command::Restore, command::Pause, command::Show, command::Harden,
+                 command::Decorate, command::ClearFaults>;
 static_assert(std::is_trivially_copyable_v<Command>, "the queue moves it without a thought");
 
 }  // namespace onggi::loop

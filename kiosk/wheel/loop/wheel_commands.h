@@ -6,6 +6,7 @@
 #include "engine/force/leather_hand.h"
 #include "engine/scene/scene.h"
 #include "engine/script/script.h"
+#include "kiosk/wheel/loop/in_hand.h"
 
 namespace onggi::loop {
 
@@ -23,9 +24,8 @@ class WheelCommands {
   /// Gives hand `index` a tool (HandInput::tool), whatever device leads it, until another tool or a
   /// new pot.
   virtual void take(int index, std::uint8_t tool) = 0;
-  /// Hand 0 holds a coil of clay in place of its tool (HandInput::coil), whatever device leads it,
-  /// until false or a new pot.
-  virtual void hold_coil(bool on) = 0;
+  /// Until another one or a new pot, which finds hand 0 with its tool.
+  virtual void hold(InHand what) = 0;
   virtual void wheel(double rad_per_s) = 0;
   virtual void water(bool held) = 0;
   virtual void renew() = 0;

@@ -25,7 +25,7 @@ class WheelHost : public WheelCommands {
   void play(std::unique_ptr<Script> script) override;
   void hand(int index, const HandInput& target) override;
   void take(int index, std::uint8_t tool) override { send(command::Take{index, tool}); }
-  void hold_coil(bool on) override { send(command::HoldCoil{on}); }
+  void hold(InHand what) override { send(command::Hold{what}); }
   void wheel(double rad_per_s) override { send(command::TurnWheel{rad_per_s}); }
   void water(bool held) override { send(command::Water{held}); }
   void renew() override { send(command::Renew{}); }

@@ -68,7 +68,7 @@ void WheelLoop::apply(const command::Put& wish) noexcept {
   end_leather(true);
   lift_hands();
   taken_ = {};
-  coil_ = false;
+  in_hand_ = InHand::tool;
   status_.scene_serial = pot_->serial;
   paused_ = shown_ = false;
 }
@@ -113,10 +113,10 @@ void WheelLoop::apply(const command::Take& wish) noexcept {
   if (is_hand(wish.hand)) taken_[static_cast<std::size_t>(wish.hand)] = wish.tool;
 }
 
-void WheelLoop::apply(const command::HoldCoil& wish) noexcept {
+void WheelLoop::apply(const command::Hold& wish) noexcept {
   // A hand that leaves the rim with its coil must not come back as a fingertip in it.
-  if (coil_ != wish.on) off_ = kOff;
-  coil_ = wish.on;
+  if (in_hand_ != wish.what) off_ = kOff;
+  in_hand_ = wish.what;
 }
 
 void WheelLoop::apply(const command::Pause& wish) noexcept {
@@ -167,10 +167,38 @@ void WheelLoop::read_hands(double dt, Hands& hands) noexcept {
   }
   for (std::size_t h = 0; h < taken_.size(); ++h)
     if (taken_[h]) hands.hand[h].tool = *taken_[h];
-  hands.hand[0].coil = coil_;
+  hands.hand[0].coil = in_hand_ == InHand::coil;
   off_ = asked_.renew || asked_.restore ? kOff : std::max(0.0, off_ - dt);
   if (off_ > 0)
     for (HandInput& hand : hands.hand) hand.active = false;
+  if (in_hand_ == InHand::paddle) beat(dt, hands.hand[0]);
+}
+
+void WheelLoop::beat(double dt, HandInput& hand) noexcept {
+  const bool led = leads_[0] != nullptr && leads_[0]->led();
+  const bool there = hand.active && (led || status_.feedback.hand[0].depth > 0.0);
+  hand.blow = paddle_.step(there, dt);
+  hand.anvil = true;
+}
+
+// The paddle in place of the hand that leads it: upright, its face on the wall, its handle round
+// the pot towards the visitor's right or front.
+void WheelLoop::show_paddle(HandView& hand) const noexcept {
+  const double out = axis_distance(hand.at);
+  const double face = pot_->scene.def().beating ? pot_->scene.def().beating->face : 0.0;
+  if (!hand.present || !(out > 0.0) || !(face > 0.0)) return;
+  const Vec3 away{hand.at.x / out, 0.0, hand.at.z / out};
+  Vec3 round{-away.z, 0.0, away.x};
+  if (round.x + round.z < 0.0) round = -1.0 * round;
+  const double ball = hand.radius;
+  hand.name = kPaddle;
+  hand.body = BodyKind::box;
+  hand.radius = 0.8 * face;
+  hand.length = 2.0 * face;
+  hand.thickness = 0.008;
+  hand.along = round;
+  hand.across = away;
+  hand.at += (0.5 * hand.thickness - ball + Paddle::kSwing * paddle_.back()) * away;
 }
 
 void WheelLoop::feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept {
@@ -208,6 +236,7 @@ void WheelLoop::step(double dt) noexcept {
   status_.hands = record.hands;
   for (int n = 0; n < kMaxHands; ++n)
     status_.hand[static_cast<std::size_t>(n)] = pot_->scene.hand(n);
+  if (in_hand_ == InHand::paddle && script_ == nullptr) show_paddle(status_.hand[0]);
   if (!pot_->records.try_enqueue(record)) ++pot_->dropped_records;
   feel(status_.feedback.hand);
 }

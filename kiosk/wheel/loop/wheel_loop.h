@@ -81,7 +81,7 @@ class WheelLoop {
   void apply(const command::Detach& wish) noexcept;
   void apply(const command::Lead& wish) noexcept;
   void apply(const command::Take& wish) noexcept;
-  void apply(const command::HoldCoil& wish) noexcept;
+  void apply(const command::Hold& wish) noexcept;
   void apply(const command::TurnWheel& wish) noexcept { asked_.wheel_speed = wish.rad_per_s; }
   void apply(const command::Water& wish) noexcept { asked_.water = wish.held; }
   void apply(const command::Renew&) noexcept { asked_.renew = true; }
@@ -95,6 +95,8 @@ class WheelLoop {
   void hand_back(const Returned& done) noexcept;
   void lift_hands() noexcept;
   void read_hands(double dt, Hands& hands) noexcept;
+  void beat(double dt, HandInput& hand) noexcept;
+  void show_paddle(HandView& hand) const noexcept;
   void feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept;
   void step(double dt) noexcept;
   void decorate(double dt) noexcept;
@@ -109,9 +111,10 @@ class WheelLoop {
   std::size_t attached_ = 0;
   std::array<device::HandDevice*, kMaxHands> leads_{};  ///< The devices that led in the last tick.
   std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
-  bool coil_ = false;  ///< Hand 0 holds a coil.
-  double off_ = 0;     ///< s for which all hands stay off freshly laid clay.
-  Hands asked_;        ///< Wheel, water and the one-tick requests; hands come from the devices.
+  InHand in_hand_ = InHand::tool;
+  Paddle paddle_;
+  double off_ = 0;  ///< s for which all hands stay off freshly laid clay.
+  Hands asked_;     ///< Wheel, water and the one-tick requests; hands come from the devices.
   LeatherWork leather_;
   bool paused_ = false;
   bool shown_ = false;

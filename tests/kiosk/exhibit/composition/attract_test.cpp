@@ -66,7 +66,7 @@ class Overheard final : public loop::WheelCommands {
     wheel_.hand(index, target);
   }
   void take(int index, std::uint8_t tool) override { wheel_.take(index, tool); }
-  void hold_coil(bool on) override { wheel_.hold_coil(on); }
+  void hold(loop::InHand what) override { wheel_.hold(what); }
   void wheel(double speed) override { wheel_.wheel(speed); }
   void water(bool held) override { wheel_.water(held); }
   void renew() override { wheel_.renew(); }

@@ -23,7 +23,7 @@ struct Builder {
     def.building.emplace();
     def.clay = lump_for(jar(0.06), def);
     host.start(std::make_unique<Scene>(std::move(*Scene::create(def))));
-    host.hold_coil(true);
+    host.hold(loop::InHand::coil);
     host.wheel(2.5);
     camera = view::frame_pot(1280, 720, {340, 60, 600, 600}, 0.2, 0.06);
     frames(0.6);  // a hand is off for a moment when it takes a coil

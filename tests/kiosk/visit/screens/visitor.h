@@ -39,7 +39,10 @@ class RecordedCommands final : public loop::WheelCommands {
   void play(std::unique_ptr<Script> script) override { ended += script == nullptr; }
   void hand(int, const HandInput& target) override { hands.push_back(target); }
   void take(int, std::uint8_t tool) override { tools.push_back(tool); }
-  void hold_coil(bool on) override { coil = on; }
+  void hold(loop::InHand what) override {
+    coil = what == loop::InHand::coil;
+    paddle = what == loop::InHand::paddle;
+  }
   void wheel(double rad_per_s) override { wheels.push_back(rad_per_s); }
   void water(bool held) override { waters.push_back(held); }
   void renew() override { ++renewed; }
@@ -58,7 +61,7 @@ class RecordedCommands final : public loop::WheelCommands {
   std::vector<bool> waters;
   std::vector<bool> pauses;
   std::vector<std::uint8_t> tools;
-  bool coil = false;
+  bool coil = false, paddle = false;
   int renewed = 0, restored = 0, settled = 0, ended = 0;  ///< `ended`: scripts.
   std::uint32_t cleared = 0;
   bool answers = true;

@@ -35,6 +35,15 @@ TEST(Ear, TellsToolsByWhatTheyAreMadeOf) {
   EXPECT_EQ(kind("wire"), Rub::Kind::wire);
 }
 
+TEST(Ear, HearsThePaddleThatLiesOnTheWall) {
+  loop::LoopStatus status = throwing("sphere");
+  EXPECT_EQ(hear(status).knock[1].force, 0.0);
+  status.feedback.hand[1].blow = 60.0;
+  EXPECT_EQ(hear(status).knock[1].force, 60.0);
+  status.shown = true;
+  EXPECT_EQ(hear(status).knock[1].force, 0.0);
+}
+
 TEST(Ear, HearsNothingOfAPotThatIsOnlyShown) {
   loop::LoopStatus status = throwing("sphere");
   status.shown = true;

@@ -134,6 +134,53 @@ TEST(Kiln, RumblesLowAndCracklesNowAndThen) {
   EXPECT_GT(loudest, 3.0 * loudness(fire)) << "sparks";
 }
 
+// A blow of `force` N that lies for an eighth of a second, and what follows.
+std::vector<float> knocked(double force, double wet, int blows = 1) {
+  Synthesis synthesis;
+  Heard before = at_rest();
+  before.wet = wet;
+  played(synthesis, before, 1.0);
+  std::vector<float> all;
+  for (int n = 0; n < blows; ++n)
+    for (const bool lies : {true, false}) {
+      Heard heard = at_rest();
+      heard.wet = wet;
+      heard.knock[0].force = lies ? force : 0.0;
+      const std::vector<float> part = played(synthesis, heard, lies ? 0.125 : 0.375);
+      all.insert(all.end(), part.begin(), part.end());
+    }
+  return all;
+}
+
+TEST(Paddle, IsHeardOnceABlowAndFadesWithinHalfASecond) {
+  const std::vector<float> one = knocked(60.0, 0.0), two = knocked(60.0, 0.0, 2);
+  EXPECT_GT(loudness(one), 0.01);
+  EXPECT_NEAR(loudness(two), loudness(one), 0.1 * loudness(one)) << "as loud in twice the time";
+  const std::vector<float> end(one.end() - 4800, one.end());
+  EXPECT_LT(loudness(end), 0.02 * loudness(one));
+  EXPECT_EQ(loudness(knocked(0.0, 0.0)), 0.0) << "a blow that missed";
+  EXPECT_GT(loudness(one), 1.5 * loudness(knocked(10.0, 0.0)));
+}
+
+// That is how a potter hears that clay is ready.
+TEST(Paddle, RingsOnClayThatIsReadyAndIsDullOnWetClay) {
+  const auto bright = [](double wetness) {
+    const std::vector<float> sound = knocked(60.0, wetness);
+    double high = 0.0, low = 0.0;
+    for (double hz = 60.0; hz < 300.0; hz += 8.0) low += share_at(sound, hz);
+    for (double hz = 300.0; hz < 1200.0; hz += 8.0) high += share_at(sound, hz);
+    return high / low;
+  };
+  const double ready = bright(0.0), soft = bright(0.25), wet = bright(0.6);
+  EXPECT_GT(ready, 1.5 * soft);
+  EXPECT_GT(soft, wet);
+  const auto lasts = [](double wetness) {
+    const std::vector<float> sound = knocked(60.0, wetness);
+    return loudness({sound.begin() + 4800, sound.end()}) / loudness(sound);  // after 0.1 s
+  };
+  EXPECT_GT(lasts(0.0), 3.0 * lasts(0.6));
+}
+
 TEST(Studio, NeverLeavesItsRangeNorClicksWhateverItIsTold) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();

@@ -144,7 +144,7 @@ TEST(Potter, HalfARingOfCoilIsSeenWhereItLiesAndIsClayOnceItIsClosed) {
   Stepped wheel(floor_to_build_on());
   SteppedWheel& host = wheel.host;
   EXPECT_EQ(host.view().coil.diameter, 0.013);
-  host.hold_coil(true);
+  host.hold(InHand::coil);
   host.advance(500);
   host.wheel(2.5);
   rest_a_coil(host);
@@ -172,7 +172,7 @@ TEST(Potter, HalfARingOfCoilIsSeenWhereItLiesAndIsClayOnceItIsClosed) {
 TEST(Potter, ARingThatClosedIsAtOnceAWallAndNoCoil) {
   Stepped wheel(floor_to_build_on(0.03, 40));
   SteppedWheel& host = wheel.host;
-  host.hold_coil(true);
+  host.hold(InHand::coil);
   host.wheel(2.5);
   host.advance(500);
   rest_a_coil(host);
@@ -205,7 +205,7 @@ TEST(Potter, ACoilIsPutAwayByTheHandAndByANewPot) {
     host.start(pot(floor_to_build_on()));
     host.advance(1);
     host.collect();
-    host.hold_coil(held);
+    host.hold(held ? InHand::coil : InHand::tool);
     rest_a_coil(host);
     host.advance(600);  // a hand is off for a moment when it takes a coil
     host.collect();
@@ -220,7 +220,7 @@ TEST(Potter, ACoilIsPutAwayByTheHandAndByANewPot) {
 
 TEST(Potter, APotThatIsNotBuiltHasNoCoil) {
   Stepped wheel(small_scene());
-  wheel.host.hold_coil(true);
+  wheel.host.hold(InHand::coil);
   wheel.host.advance(500);
   wheel.host.hand(0, press_at(small_scene(), 0.001));
   wheel.host.advance(20);
