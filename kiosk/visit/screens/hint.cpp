@@ -74,11 +74,11 @@ Hint next_hint(const HintInput& in) {
   if (in.target == nullptr || in.made == nullptr || in.made->points.empty())
     return {"hint.begin", {}, {}};
   if (in.dry_too_long) return {"hint.dry", {}, {}};
+  if (in.paddle_held) return {"hint.beat", {}, {}};
   // The wall comes first: what is not there yet cannot be shaped.
   if (in.coil > 0 && lacks_a_ring(in.made->height(), in.target->height(), in.coil))
     return in.coil_held ? Hint{"hint.lay_coil", {}, {}} : Hint{"hint.take_coil", in.tools_way, {}};
   if (in.coil_held) return {"hint.high_enough", {}, {}};
-  if (in.paddle_held) return {"hint.beat", {}, {}};
   if (!in.described.empty()) return {in.described, {}, {}};
   if (in.score == nullptr) return {"hint.begin", {}, {}};
   for (const score::Remark& remark : in.score->try_next)

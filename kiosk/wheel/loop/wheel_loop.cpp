@@ -181,22 +181,23 @@ void WheelLoop::beat(double dt, HandInput& hand) noexcept {
   hand.anvil = true;
 }
 
-// The paddle in place of the hand that leads it: upright, its face on the wall, its handle round
-// the pot towards the visitor's right or front.
+// The paddle in place of the hand that leads it: its face on the wall, its handle up and to the
+// visitor's right, where it hides little of the pot.
 void WheelLoop::show_paddle(HandView& hand) const noexcept {
   const double out = axis_distance(hand.at);
   const double face = pot_->scene.def().beating ? pot_->scene.def().beating->face : 0.0;
   if (!hand.present || !(out > 0.0) || !(face > 0.0)) return;
   const Vec3 away{hand.at.x / out, 0.0, hand.at.z / out};
   Vec3 round{-away.z, 0.0, away.x};
-  if (round.x + round.z < 0.0) round = -1.0 * round;
+  if (round.x < 0.0) round = -1.0 * round;
+  const Vec3 handle = round + Vec3{0.0, 1.5, 0.0};
   const double ball = hand.radius;
   hand.name = kPaddle;
   hand.body = BodyKind::box;
   hand.radius = 0.8 * face;
   hand.length = 2.0 * face;
   hand.thickness = 0.008;
-  hand.along = round;
+  hand.along = (1.0 / length(handle)) * handle;
   hand.across = away;
   hand.at += (0.5 * hand.thickness - ball + Paddle::kSwing * paddle_.back()) * away;
 }

@@ -91,7 +91,7 @@ TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {
   }
   EXPECT_EQ(names,
             "base; + moisture; + walls; + propagation; + springback; + smoothing; + wobble; "
-            "+ slump (and volume); + volume; + building (and volume); + friction; + kiln; "
+            "+ slump (and volume); + volume; + building (and volume); + beating (and volume); + friction; + kiln; "
             "built.toml; first_touch.toml; master.toml; "
             "paper.toml; studio.toml; all; ");
 }
