@@ -5,9 +5,10 @@
 namespace onggi::lab {
 
 std::span<const WitnessFamily> witness_families() {
-  static const std::array<WitnessFamily, 5> kFamilies{{{"contact", contact_witnesses()},
+  static const std::array<WitnessFamily, 6> kFamilies{{{"contact", contact_witnesses()},
                                                        {"effects", effect_witnesses()},
                                                        {"walls", wall_witnesses()},
+                                                       {"building", building_witnesses()},
                                                        {"force", force_witnesses()},
                                                        {"clay", clay_witnesses()}}};
   return kFamilies;

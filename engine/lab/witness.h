@@ -35,6 +35,7 @@ std::span<const WitnessFamily> witness_families();
 std::span<const Witness> contact_witnesses();
 std::span<const Witness> effect_witnesses();
 std::span<const Witness> wall_witnesses();
+std::span<const Witness> building_witnesses();
 std::span<const Witness> force_witnesses();
 std::span<const Witness> clay_witnesses();
 

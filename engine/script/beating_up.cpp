@@ -18,6 +18,7 @@ constexpr double kToSpeed = 1.0;       // s
 constexpr double kSwing = 0.03;        // m: how far the paddle is drawn back
 constexpr double kAway = 0.001;    // m between the hand's ball and the wall as the paddle strikes
 constexpr double kBand = 1.0;      // faces that the paddle goes up in a turn of the wheel
+constexpr double kLeast = 3.0;     // turns: a pot that is built begins as a low floor
 constexpr double kFromFoot = 0.5;  // faces above the floor
 
 class BeatingUp final : public Script {
@@ -28,7 +29,7 @@ class BeatingUp final : public Script {
         wheel_(std::min(kBeatingSpeed * context.pace, context.scene.wheel.max_speed)),
         beat_(kBeat / context.pace),
         lies_(kLies / context.pace) {
-    const double turns = std::max(1.0, context.scene.clay.height / (kBand * face_));
+    const double turns = std::max(kLeast, context.scene.clay.height / (kBand * face_));
     works_ = turns * 2.0 * portable::kPi / std::max(wheel_, 0.1);
   }
 

@@ -234,25 +234,32 @@ void slump() {
   }
 }
 
-// Five rings of coil on a disc, then pinched between two fingers that go up round by round.
-void building() {
+// Five rings of coil on a disc.
+SceneDef coils() {
   SceneDef def = bare();
   def.clay.rows = 20;
   def.clay.height = def.clay.floor_thickness = 0.010;
   def.volume.emplace();
   def.building.emplace();
-  Scene scene = made(def);
-  const auto script = std::move(*make_script("coil_up", {.scene = def}));
+  return def;
+}
+void play(Scene& scene, const char* name) {
+  const auto script = std::move(*make_script(name, {.scene = scene.def()}));
   run(scene, script->duration(), [&](double t) { return script->at(t, scene.clay()); });
-  const auto both_faces = [&](const char* series) {
-    const Clay& clay = scene.clay();
-    for (int j = clay.floor_rows(); j < clay.rows(); ++j)
-      point("building", series, 1e3 * double{clay.outer(j)[0]}, 1e3 * clay.row_height(j));
-    for (int j = clay.rows() - 1; j >= clay.floor_rows(); --j)
-      point("building", series, 1e3 * double{clay.inner(j)[0]}, 1e3 * clay.row_height(j));
-  };
-  both_faces("laid");
-  const double middle = 0.0487, finger = def.tool.radius, gap = 0.0095;
+}
+void both_faces(const Clay& clay, const char* effect, const char* series) {
+  for (int j = clay.floor_rows(); j < clay.rows(); ++j)
+    point(effect, series, 1e3 * double{clay.outer(j)[0]}, 1e3 * clay.row_height(j));
+  for (int j = clay.rows() - 1; j >= clay.floor_rows(); --j)
+    point(effect, series, 1e3 * double{clay.inner(j)[0]}, 1e3 * clay.row_height(j));
+}
+
+// Then pinched between two fingers that go up round by round.
+void building() {
+  Scene scene = made(coils());
+  play(scene, "coil_up");
+  both_faces(scene.clay(), "building", "laid");
+  const double middle = 0.0487, finger = scene.def().tool.radius, gap = 0.0095;
   run(scene, 30.0, [&](double t) {
     Hands hands;
     hands.wheel_speed = 12.0;
@@ -262,7 +269,18 @@ void building() {
     hands.hand[1] = {{middle + lean - 0.5 * gap - finger, height, 0}, true, SideWish::inside};
     return hands;
   });
-  both_faces("pinched");
+  both_faces(scene.clay(), "building", "pinched");
+}
+
+// Or beaten, with soft clay, once up the wall: 23 blows.
+void beating() {
+  SceneDef def = coils();
+  def.beating = BeatingDef{0.08, 0.03, 16e3};
+  Scene scene = made(def);
+  play(scene, "coil_up");
+  both_faces(scene.clay(), "beating", "laid");
+  play(scene, "beat");
+  both_faces(scene.clay(), "beating", "beaten");
 }
 
 }  // namespace
@@ -287,5 +305,6 @@ int main(int argc, char** argv) {
   tearing();
   kiln();
   building();
+  beating();
   return std::fclose(out) == 0 ? 0 : 1;
 }

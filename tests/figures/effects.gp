@@ -104,4 +104,8 @@ set xtics 10
 set yrange [0:110]
 plot data using (of("building", "laid", column("x"))):"y" with lines title "laid" linecolor rgb published linewidth 2, \
      data using (of("building", "pinched", column("x"))):"y" with lines title "pinched" linecolor rgb clay linewidth 2
+eval panel(5, 1, "beating, five coils")
+set xrange [40:65]
+plot data using (of("beating", "laid", column("x"))):"y" with lines title "laid" linecolor rgb published linewidth 2, \
+     data using (of("beating", "beaten", column("x"))):"y" with lines title "beaten" linecolor rgb clay linewidth 2
 unset multiplot

@@ -190,6 +190,8 @@ class Effects(unittest.TestCase):
         laid, pinched = (max(y for _, y in self.of["building", s]) for s in ("laid", "pinched"))
         self.assertAlmostEqual(laid, 10 + 5 * 0.89 * 13, delta=2)
         self.assertGreater(pinched, laid + 5)
+        laid, beaten = (max(x for x, _ in self.of["beating", s]) for s in ("laid", "beaten"))
+        self.assertGreater(beaten, laid + 2)
         self.assertLess(last("springback", "40 %"), last("springback", "15 %"))
         self.assertLess(last("springback", "15 %"), last("springback", "0 %"))
 
