@@ -8,8 +8,10 @@
 
 namespace onggi {
 
+namespace scene {
 /// HandView::name of a paddle, which is held in place of a tool.
 inline constexpr std::string_view kPaddle = "paddle";
+}  // namespace scene
 
 /// One hand for drawing: what it holds, where, and how. BodyKind says what the sizes mean. Plain
 /// values; studio frame, metres.

@@ -184,7 +184,7 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
   if (def.beating) {
     wheel.face = def.beating->face;
     wheel.tools.insert(wheel.tools.begin() + (wheel.coil ? 1 : 0),
-                       {0, std::string(kPaddle), *wheel.face, *wheel.face});
+                       {0, std::string(scene::kPaddle), *wheel.face, *wheel.face});
   }
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);

@@ -202,7 +202,7 @@ double ToolPainter::reach(const HandView& hand) {
       return hand.length + (kFinger + 1.0) * hand.radius + (is_needle(hand) ? kHandle : 0.0);
     case BodyKind::box:
       return length(Vec3{hand.radius, 0.5 * hand.length, 0.5 * hand.thickness}) +
-             (hand.name == kPaddle ? kPaddleHandle : 0.0);
+             (hand.name == scene::kPaddle ? kPaddleHandle : 0.0);
     case BodyKind::cylinder:
       return hand.radius + hand.thickness + (is_loop(hand) ? kFerrule + kHandle + 0.01 : 0.0);
     case BodyKind::wire:
@@ -242,7 +242,7 @@ void ToolPainter::draw(const HandView& hand, const Levels& levels, const glm::ma
     case BodyKind::box:
       place.set(kWood, at, along, across, half);
       box_.draw();
-      if (hand.name == kPaddle)
+      if (hand.name == scene::kPaddle)
         place.rod(capsule_, kWood, at + along * half.y, along, across, 0.9 * half.z, kPaddleHandle);
       return;
     case BodyKind::cylinder: {

@@ -11,13 +11,14 @@ constexpr double kOnceUp = 9.0;   // s, from the foot to the rim
 }  // namespace
 
 bool InsteadOfHands::has(std::string_view tool) const {
-  return (tool == kCoilTool && coil_.built()) || (tool == kPaddle && !two_ && desk_.wheel().face);
+  return (tool == kCoilTool && coil_.built()) ||
+         (tool == scene::kPaddle && !two_ && desk_.wheel().face);
 }
 
 void InsteadOfHands::take_up(std::string_view tool, WheelSpeed& speed) {
   paddle_.reset();
   coil_.hold(tool == kCoilTool && has(tool), speed);
-  if (tool != kPaddle || !has(tool)) return;
+  if (tool != scene::kPaddle || !has(tool)) return;
   const SceneForVisitor wheel = desk_.wheel();
   paddle_.emplace(*wheel.face, wheel.tool_radius);
   desk_.world.wheel_commands->take(0, 0);

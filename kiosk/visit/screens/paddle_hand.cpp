@@ -9,10 +9,10 @@ using view::InputEvent;
 
 namespace {
 
-constexpr double kOff = 0.002;    // m between the hand's ball and the wall
-constexpr double kMeant = 0.03;   // m beside the pot: a finger farther off beats nothing
-constexpr double kFromEnd = 0.5;  // faces: the middle of a blow is as far from floor and rim
-constexpr double kAtSide = 0.75;  // of the radius: where keys beat, so that the paddle is seen
+constexpr double kOff = 0.002;      // m between the hand's ball and the wall
+constexpr double kAsidePot = 0.03;  // m beside the pot: a finger farther off beats nothing
+constexpr double kFromEnd = 0.5;    // faces: the middle of a blow is as far from floor and rim
+constexpr double kAtSide = 0.75;    // of the radius: where keys beat, so that the paddle is seen
 
 /// Farthest that the wall reaches at `height`, m from the axis.
 double widest(const ClayView& clay, double height) {
@@ -85,7 +85,7 @@ HandInput PaddleHand::input(const view::Camera& camera, const ClayView& clay) co
   if (grabbed_) {
     const Vec2 at = camera.on_axis_plane(px_, py_);
     const double wide = widest(clay, at.y);
-    if (std::abs(at.x) > wide + kMeant || at.y > clay.rim_height() + kMeant) return hand;
+    if (std::abs(at.x) > wide + kAsidePot || at.y > clay.rim_height() + kAsidePot) return hand;
     across = std::clamp(at.x / wide, -1.0, 1.0);
     // The wall in front is nearer to the eye than the axis, and so higher on the same line.
     height = at.y + wide * std::sqrt(1.0 - across * across) * back.y / level;

@@ -379,7 +379,8 @@ class Throwing final : public Screen {
     if (which > wheel.tools.size() || cut_off_) return;
     const std::string name = which > 0 ? wheel.tools[which - 1].name : "";
     const bool instead = instead_.has(name);
-    if (!instead && (name == "coil" || name == kPaddle)) return;  // two visitors have neither
+    if (!instead && (name == "coil" || name == scene::kPaddle))
+      return;  // two visitors have neither
     let_go();
     show_pot();
     const WallHold::Part fine{0, wheel.tool_radius};

@@ -36,7 +36,7 @@ constexpr std::string_view kPaddleAndAnvil =
 
 std::string_view drawing_of(const std::string& tool) {
   if (tool == "coil") return kCoil;
-  if (tool == kPaddle) return kPaddleAndAnvil;
+  if (tool == scene::kPaddle) return kPaddleAndAnvil;
   const ToolShape* const shape = find_tool_shape(tool);
   return shape != nullptr && !shape->drawing.empty() ? shape->drawing : kBareHands;
 }

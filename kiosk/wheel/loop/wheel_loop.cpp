@@ -192,7 +192,7 @@ void WheelLoop::show_paddle(HandView& hand) const noexcept {
   if (round.x < 0.0) round = -1.0 * round;
   const Vec3 handle = round + Vec3{0.0, 1.5, 0.0};
   const double ball = hand.radius;
-  hand.name = kPaddle;
+  hand.name = scene::kPaddle;
   hand.body = BodyKind::box;
   hand.radius = 0.8 * face;
   hand.length = 2.0 * face;
