@@ -39,8 +39,8 @@ struct Blow {
   bool lands = false;  ///< In this tick.
   Vec3 at;             ///< Where, clay frame, m.
   WallSide side = WallSide::outside;
-  double held =
-      0.0;  ///< Share of the blow that an anvil, or a hand, takes on the other face, 0..1.
+  double ball = 0.0;  ///< m: radius of the hand's ball, at `at`.
+  double held = 0.0;  ///< Share that an anvil, or a hand, takes on the other face, 0..1.
 };
 
 /// A tick's input to the stages.

@@ -25,9 +25,4 @@ Vec3 BlowPulse::step(Vec3 way, double seconds) noexcept {
   return last_;
 }
 
-void BlowPulse::add_to(StateHash& hash) const {
-  for (const double v : {peak_, since_, taken_, last_.x, last_.y, last_.z, out_.x, out_.y, out_.z})
-    hash.add(v);
-}
-
 }  // namespace onggi::force

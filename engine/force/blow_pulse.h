@@ -1,14 +1,14 @@
 #pragma once
 
-#include "engine/math/hash.h"
 #include "engine/math/vec.h"
 
 namespace onggi::force {
 
-/// What a hand feels of a blow that it strikes: a short push back, as long and as strong as a
-/// kiosk's device can render it (a real one is 300 to 1,200 N for a thousandth of a second).
-/// Passive: the push ends as soon as it has given the hand as much work as it took, so a hand that
-/// is thrown back gains at most what it moves within one tick. No allocation; one thread.
+/// What a hand at a force device feels of a blow that it strikes: a short push back, as long and as
+/// strong as such a device can render it (a real one is 300 to 1,200 N for a thousandth of a
+/// second). Passive: the push ends as soon as it has given the hand as much work as it took, so a
+/// hand that is thrown back gains at most what it moves within one tick, and within the guard's
+/// time to fade. No allocation; one thread.
 class BlowPulse {
  public:
   static constexpr double kSeconds = 0.024;  ///< How long it lasts.
@@ -23,7 +23,6 @@ class BlowPulse {
   Vec3 step(Vec3 way, double seconds) noexcept;
   void release() noexcept { *this = {}; }
   bool any() const { return peak_ > 0.0; }
-  void add_to(StateHash& hash) const;
 
  private:
   double peak_ = 0.0;   // N; 0: none

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/force/blow_pulse.h"
 #include "engine/force/coupling.h"
 #include "engine/force/passivity.h"
 
@@ -25,6 +26,7 @@ struct HapticLimits {
 class Haptics {
  public:
   Vec3 tool(Vec3 hand, double seconds, const HapticLimits& limits) noexcept {
+    push_ = pulse_.step(hand - hand_, seconds);
     hand_ = hand;
     seconds_ = seconds;
     return coupling_.tool(hand, seconds, {limits.stiffness, limits.max_force});
@@ -32,12 +34,18 @@ class Haptics {
   /// Force for the place last given to tool(), which must come first. `share`, 0..1, of the force
   /// is felt. At 0 nothing is felt, and no debt is paid.
   Vec3 feel(const Touch& touch, double share, const HapticLimits& limits) noexcept {
-    const Vec3 force = share * coupling_.feel(touch, {limits.stiffness, limits.max_force});
+    const Vec3 force =
+        share * (coupling_.feel(touch, {limits.stiffness, limits.max_force}) + push_);
     const double most = share > 0.0 ? limits.most_damping(seconds_) : 0.0;
     return passivity_.step(hand_, force, touch, seconds_,
                            {limits.stiffness, limits.own_damping, most, limits.delay});
   }
+  /// The hand struck the clay with `force` (N), and is pushed `out` (unit): BlowPulse. The tool in
+  /// the clay stays where it is.
+  void strike(double force, Vec3 out) noexcept { pulse_.begin(force, out); }
   void release() noexcept {
+    pulse_.release();
+    push_ = {};
     coupling_.release();
     passivity_.release();
   }
@@ -47,7 +55,8 @@ class Haptics {
  private:
   Coupling coupling_;
   PassivityControl passivity_;
-  Vec3 hand_;
+  BlowPulse pulse_;
+  Vec3 hand_, push_;
   double seconds_ = 0;
 };
 

@@ -61,6 +61,7 @@ void add_plainer_hands(const Trial& trial, std::vector<Trial>& out) {
   for (const std::size_t n : {0u, 1u}) {
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.coil, false); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].beats, false); });
+    add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.paddle, false); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.anvil, false); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.roll, 0.0); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.handle, Vec3{}); });

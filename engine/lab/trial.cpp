@@ -177,6 +177,7 @@ Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
     part.begins.coil = def.building && chance(random, 0.15);
     if (part.begins.coil) lay_coil(random, def, stroke, part);
     part.beats = def.beating && chance(random, 0.2);
+    part.begins.paddle = part.beats;
     if (part.beats) part.begins.anvil = chance(random, 0.6);
   }
   if (chance(random, 0.1)) stroke.water = !stroke.water;

@@ -61,6 +61,7 @@ Beaten beaten(const BeatingDef& law, bool anvil) {
   const int row = scene.clay().first_row_above(0.06);
   hands.hand[0].position = on_first_ray(scene.clay(), row, kBeatenOut + 0.012);
   hands.hand[0].active = true;
+  hands.hand[0].paddle = true;
   hands.hand[0].anvil = anvil;
   for (const bool blow : {false, true}) {
     hands.hand[0].blow = blow;

@@ -30,30 +30,23 @@ void HandState::leave() noexcept {
   present = false;
   rests = used_up = strikes = false;
   struck = 0.0;
-  pulse.release();
   contact.release();
   wire = {};
   guard.release();
   velocity.release();
 }
 
-void HandState::swing(const HandInput& in) noexcept {
-  strikes = in.blow && !blow;
-  blow = in.blow;
-  anvil = in.anvil;
-  if (!blow || strikes) struck = 0.0;
-}
-
-bool HandState::take(const HandInput& in, bool holds_coil, std::span<const Tool> tools,
-                     ToolSweep& sweep) noexcept {
+bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept {
   const bool good = plausible(in.position) && plausible(in.handle) && std::isfinite(in.roll) &&
                     in.tool < tools.size();
   if (!good) guard.release();
   if (!good && !present) return false;
-  if (good && (in.tool != tool || holds_coil != coil)) {
+  const bool holds_coil = in.coil && !in.paddle;
+  if (good && (in.tool != tool || holds_coil != coil || in.paddle != paddle)) {
     leave();
     tool = in.tool;
     coil = holds_coil;
+    paddle = in.paddle;
   }
   const Tool& mine = tools[tool];
   const Vec3 to = good ? in.position : at;
@@ -72,6 +65,12 @@ bool HandState::take(const HandInput& in, bool holds_coil, std::span<const Tool>
   sweep.wish = in.side;
   at = to;
   present = true;
+  if (good) {
+    strikes = paddle && in.blow && !blow;
+    blow = paddle && in.blow;
+    anvil = in.anvil;
+    if (!blow || strikes) struck = 0.0;
+  }
   return good;
 }
 
@@ -98,16 +97,38 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
            static_cast<std::uint64_t>(contact.place()) << 4 | std::uint64_t{tool} << 8 |
            std::uint64_t{wire.drawing} << 16 | std::uint64_t{coil} << 17 |
            std::uint64_t{rests} << 18 | std::uint64_t{used_up} << 19 | std::uint64_t{blow} << 20 |
-           std::uint64_t{anvil} << 21);
+           std::uint64_t{paddle} << 21 | std::uint64_t{paddle && anvil} << 22);
   if (struck > 0.0) hash.add(struck);
-  if (pulse.any()) pulse.add_to(hash);
   if (tools[tool].shape->round()) return;  // round tools have no handle
   add(along);
   add(across);
   if (wire.drawing) add(wire.way);
 }
 
-HandView seen(const HandState& hand, const Tool& tool) noexcept {
+// The face on the wall, and the handle up and to the visitor's right, where it hides little.
+HandView seen_paddle(const HandState& hand, const Tool& tool, double face) noexcept {
+  constexpr double kThick = 0.008;  // m
+  constexpr double kUpright = 1.5;  // up for each way round
+  HandView view;
+  const double out = length(Vec2{hand.at.x, hand.at.z});
+  const Vec3 away = out > 0.0 ? (1.0 / out) * Vec3{hand.at.x, 0.0, hand.at.z} : Vec3{1.0, 0.0, 0.0};
+  const bool right = -away.z >= 0.0;
+  const Vec3 handle{right ? -away.z : away.z, kUpright, right ? away.x : -away.x};
+  view.present = hand.present;
+  view.tool = hand.tool;
+  view.name = kPaddle;
+  view.body = BodyKind::box;
+  view.radius = 0.8 * face;
+  view.length = 2.0 * face;
+  view.thickness = kThick;
+  view.along = (1.0 / length(handle)) * handle;
+  view.across = away;
+  view.at = hand.at + (0.5 * kThick - tool.size.radius) * away;
+  return view;
+}
+
+HandView seen(const HandState& hand, const Tool& tool, const BeatingDef* beating) noexcept {
+  if (hand.paddle && beating != nullptr) return seen_paddle(hand, tool, beating->face);
   HandView view;
   view.present = hand.present;
   view.tool = hand.tool;

@@ -6,7 +6,6 @@
 
 #include "engine/contact/tool_contact.h"
 #include "engine/contact/wire.h"
-#include "engine/force/blow_pulse.h"
 #include "engine/force/guard.h"
 #include "engine/force/hand_velocity.h"
 #include "engine/math/hash.h"
@@ -33,34 +32,32 @@ struct HandState {
   bool coil = false;      // it holds a coil,
   bool rests = false;     // which lay on the rim in this tick,
   bool used_up = false;   // or is part of a ring, until the hand is on top of the rim again
-  bool blow = false;      // its paddle was swung,
-  bool strikes = false;   // in this tick,
+  bool paddle = false;    // it holds a paddle,
   bool anvil = false;     // against an anvil,
-  double struck = 0.0;    // and hit the wall with so much force, N
+  bool blow = false;      // which was swung,
+  bool strikes = false;   // in this tick,
+  double struck = 0.0;    // and hit the wall with so much force, N,
+  Vec3 struck_out;        // and back that way
   ToolContact contact;
   WireHand wire;
   force::Guard guard;
-  force::HandVelocity velocity;  // used only if the scene has friction,
-  force::BlowPulse pulse;        // and this if it has beating
+  force::HandVelocity velocity;  // used only if the scene has friction
 
   /// Takes a sample of an active hand. An invalid one is dropped: the last one stays, and the
   /// result is false. For a present hand, sets the path of `sweep` for the tick; the caller fills
   /// in angles and seconds.
-  /// `holds_coil`: HandInput::coil, in a scene that has coils.
-  bool take(const HandInput& in, bool holds_coil, std::span<const Tool> tools,
-            ToolSweep& sweep) noexcept;
+  /// `in`: without a coil or a paddle that the scene does not have.
+  bool take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept;
   /// Call when the hand leaves. The next valid sample is an arrival: no sweep from the last
   /// position, no force yet.
   void leave() noexcept;
-  /// Takes HandInput::blow and anvil, after take().
-  void swing(const HandInput& in) noexcept;
   void add_to(StateHash& hash, std::span<const Tool> tools) const;
 
  private:
   void hold_as(const HandInput& in, const Tool& tool, Vec3 to) noexcept;
 };
 
-/// `hand` with its `tool`, for drawing.
-HandView seen(const HandState& hand, const Tool& tool) noexcept;
+/// `hand` with its `tool`, for drawing; `beating`: null if the scene has no paddle.
+HandView seen(const HandState& hand, const Tool& tool, const BeatingDef* beating) noexcept;
 
 }  // namespace onggi::scene

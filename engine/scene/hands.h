@@ -18,17 +18,19 @@ struct HandInput {
   SideWish side = SideWish::by_position;
   std::uint8_t tool = 0;  ///< 0: the ball of SceneDef::tool; n: SceneDef::tools[n - 1]. A change of
                           ///< tool lifts the hand.
-  Vec3 handle{};       ///< Direction of the tool's length; need not be a unit vector. (0, 0, 0): a
-                       ///< potter's usual grip, turned with the hand's angle about the axis.
-  double roll = 0.0;   ///< Turn about that direction, rad.
-  bool coil = false;   ///< It holds a coil of clay, with its middle at `position`, and lays it on
-                       ///< the rim; its tool presses nothing. Only where the scene has BuildingDef.
-                       ///< A change lifts the hand.
-  bool blow = false;   ///< A paddle strikes the wall in front of `position`, once, in the tick in
-                       ///< which this becomes true. It lies there until this is false. Only where
-                       ///< the scene has BeatingDef.
-  bool anvil = false;  ///< Behind the wall an anvil is held against its blows. Without one, a hand
+  Vec3 handle{};      ///< Direction of the tool's length; need not be a unit vector. (0, 0, 0): a
+                      ///< potter's usual grip, turned with the hand's angle about the axis.
+  double roll = 0.0;  ///< Turn about that direction, rad.
+  bool coil = false;  ///< It holds a coil of clay, with its middle at `position`, and lays it on
+                      ///< the rim; its tool presses nothing. Only where the scene has BuildingDef.
+                      ///< A change lifts the hand.
+  /// It holds a paddle, and its tool presses nothing: the wall is firm for a ball at `position`.
+  /// Only where the scene has BeatingDef; before a coil. A change lifts the hand.
+  bool paddle = false;
+  bool anvil = false;  ///< Behind the wall an anvil is held against the paddle. Without one, a hand
                        ///< on the other face holds the wall, as far as it reaches.
+  bool blow = false;   ///< The paddle strikes the wall in front of `position`, once, in the tick in
+                       ///< which this becomes true, and lies there until it is false.
   friend bool operator==(const HandInput&, const HandInput&) = default;
 };
 
@@ -56,11 +58,12 @@ enum FaultBit : std::uint32_t {
 
 /// What one hand feels.
 struct HandFeedback {
-  Vec3 force;                         ///< On the hand, studio frame, newtons, guarded.
-  bool contact = false;               ///< It presses the clay, its coil rests on the rim, or its
-                                      ///< paddle lies on the wall that it struck.
-  double blow = 0.0;                  ///< Force of its blow while the paddle lies there, N: the
-                                      ///< mean while the clay yielded. 0: none, or it missed.
+  Vec3 force;            ///< On the hand, studio frame, newtons, guarded.
+  bool contact = false;  ///< It presses the clay, its coil rests on the rim, or its
+                         ///< paddle on the wall.
+  double blow = 0.0;  ///< Force of its blow while the paddle lies there, N: the mean while the clay
+                      ///< yielded. 0: none, or it missed.
+  Vec3 blow_out;      ///< The way back from that blow; unit, studio frame.
   WallSide side = WallSide::outside;  ///< Face of the wall; on the rim, the face it came from.
   Place place = Place::outside;       ///< Where it works, or would work if it is clear.
   double depth = 0.0;                 ///< Deepest press of this tick, metres.

@@ -58,7 +58,8 @@ void Scene::State::lay_coil(const Tick& tick, std::size_t n) noexcept {
 // Stage 5. Both hands advance together in small steps.
 void Scene::State::press_clay(Tick& tick) noexcept {
   for (std::size_t n = 0; n < hand.size(); ++n)
-    if (hand[n].present && !hand[n].coil && tools[hand[n].tool].shape->severs()) draw_wire(tick, n);
+    if (hand[n].present && !hand[n].coil && !hand[n].paddle && tools[hand[n].tool].shape->severs())
+      draw_wire(tick, n);
   if (slit.free()) {
     for (scene::HandState& h : hand) h.contact = {}, h.rests = false;
     return;

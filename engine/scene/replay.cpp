@@ -16,10 +16,11 @@ constexpr std::size_t kMostTicks = 4'000'000;  // over an hour; a visit is minut
 constexpr std::size_t kLongestId = 4096;
 
 // The first hand's bits of switches that came later than the others.
-constexpr unsigned kCoils = 3 * (kMaxHands + 1), kBlows = kCoils + kMaxHands,
-                   kAnvils = kBlows + kMaxHands, kBits = kAnvils + kMaxHands;
+constexpr unsigned kCoils = 3 * (kMaxHands + 1), kPaddles = kCoils + kMaxHands,
+                   kBlows = kPaddles + kMaxHands, kBits = kBlows + kMaxHands;
 
-// All switches in 16 bits: three per hand, three for the potter, then coil, blow and anvil.
+// All switches in 16 bits: three per hand, three for the potter, then coil, paddle and blow. A hand
+// with a paddle has no coil, so that bit says whether there is an anvil.
 std::uint16_t switches_of(const Hands& hands) {
   unsigned bits = 0;
   for (const HandInput& hand : hands.hand)
@@ -27,18 +28,22 @@ std::uint16_t switches_of(const Hands& hands) {
   bits =
       bits << 3 | unsigned{hands.water} << 2 | unsigned{hands.renew} << 1 | unsigned{hands.restore};
   for (std::size_t n = 0; n < hands.hand.size(); ++n)
-    bits |= unsigned{hands.hand[n].coil} << (kCoils + n) |
-            unsigned{hands.hand[n].blow} << (kBlows + n) |
-            unsigned{hands.hand[n].anvil} << (kAnvils + n);
+    bits |= unsigned{hands.hand[n].paddle ? hands.hand[n].anvil : hands.hand[n].coil}
+                << (kCoils + n) |
+            unsigned{hands.hand[n].paddle} << (kPaddles + n) |
+            unsigned{hands.hand[n].blow} << (kBlows + n);
   return static_cast<std::uint16_t>(bits);
 }
 
 bool put_switches(Hands& hands, std::uint16_t bits) {
   if (bits >= 1u << kBits) return false;
   for (std::size_t n = 0; n < hands.hand.size(); ++n) {
-    hands.hand[n].coil = (bits >> (kCoils + n) & 1u) != 0;
-    hands.hand[n].blow = (bits >> (kBlows + n) & 1u) != 0;
-    hands.hand[n].anvil = (bits >> (kAnvils + n) & 1u) != 0;
+    const bool first = (bits >> (kCoils + n) & 1u) != 0;
+    HandInput& hand = hands.hand[n];
+    hand.paddle = (bits >> (kPaddles + n) & 1u) != 0;
+    hand.coil = first && !hand.paddle;
+    hand.anvil = first && hand.paddle;
+    hand.blow = (bits >> (kBlows + n) & 1u) != 0;
   }
   hands.restore = (bits & 1u) != 0;
   hands.renew = (bits & 2u) != 0;

@@ -61,7 +61,8 @@ int Scene::take_moved_row(int from) noexcept { return state_->clay.take_moved(fr
 void Scene::mark_all_dirty() noexcept { state_->clay.mark_all_dirty(); }
 HandView Scene::hand(int n) const noexcept {
   const scene::HandState& h = state_->hand[static_cast<std::size_t>(n)];
-  return scene::seen(h, state_->tools[h.tool]);
+  return scene::seen(h, state_->tools[h.tool],
+                     state_->def.beating ? &*state_->def.beating : nullptr);
 }
 void Scene::clear_faults(std::uint32_t which) noexcept { state_->faults &= ~which; }
 const SceneCounters& Scene::counters() const { return state_->counters; }

@@ -29,6 +29,12 @@ force::Touch touch_of(const Press& press, double normal, bool severs) {
   return touch;
 }
 
+// A vector of the studio's frame in that of a clay which is turned by `angle`; -angle: back.
+Vec3 turned_back(Vec3 v, double angle) {
+  const double c = portable::cos(angle), s = portable::sin(angle);
+  return {c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+}
+
 }  // namespace
 
 // Stage 1. Rejects implausible input.
@@ -55,9 +61,10 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
     return;
   }
   tick.sweep[n].seconds = tick.dt;
-  const bool coil = in.coil && building() != nullptr;
-  tick.held[n] = !h.take(in, coil, tools, tick.sweep[n]);
-  if (effects::kBuilt && def.beating) h.swing(in);
+  HandInput here = in;
+  here.coil = in.coil && building() != nullptr;
+  here.paddle = effects::kBuilt && in.paddle && def.beating;
+  tick.held[n] = !h.take(here, tools, tick.sweep[n]);
   if (!tick.held[n]) return;
   faults |= kFaultInput;
   ++counters.held_samples;
@@ -195,32 +202,32 @@ void Scene::State::work_on_rows(const Tick& tick) noexcept {
 // Stage 6.9, a hand's blow.
 effects::Blow Scene::State::blow_of(const Tick& tick, std::size_t n) const noexcept {
   const scene::HandState& h = hand[n];
-  if (!h.present || h.coil || !h.strikes) return {};
+  if (!h.present || !h.strikes) return {};
   const scene::HandState& other = hand[1 - n];
-  const double angle = tick.angle_from + tick.turn;
-  const double c = portable::cos(angle), s = portable::sin(angle);
-  const Vec3 at = tick.sweep[n].to;
-  effects::Blow blow{true, {c * at.x + s * at.z, at.y, c * at.z - s * at.x}, h.contact.side(), 1.0};
+  const Vec3 way = tick.sweep[n].to;
+  const Vec3 at = turned_back(way, tick.angle_from + tick.turn);
+  const SideWish wish = tick.sweep[n].wish;
+  const bool outside = wish == SideWish::by_position ? effects::outside_of_wall(clay, at)
+                                                     : wish == SideWish::outside;
+  effects::Blow blow{true, at, outside ? WallSide::outside : WallSide::inside,
+                     tools[h.tool].size.radius, 1.0};
   if (h.anvil) return blow;
-  const bool holds =
-      other.present && row_effects->holds(1 - n) && other.contact.side() != h.contact.side();
+  const bool holds = presses(other) && row_effects->holds(1 - n) &&
+                     (other.contact.side() == WallSide::outside) != outside;
   const WallsDef& walls = def.walls ? *def.walls : WallsDef{};
-  blow.held = holds ? effects::wall_support(walls, at, tick.sweep[1 - n].to) : 0.0;
+  blow.held = holds ? effects::wall_support(walls, way, tick.sweep[1 - n].to) : 0.0;
   return blow;
 }
 
 // After the blows: a blow of a long tick lands in its first part.
 void Scene::State::take_struck(const Tick& tick) noexcept {
-  const double angle = tick.angle_from + tick.turn;
-  const double c = portable::cos(angle), s = portable::sin(angle);
   for (std::size_t n = 0; n < hand.size(); ++n) {
     scene::HandState& h = hand[n];
     if (!h.strikes) continue;
     h.strikes = false;
     const effects::Struck struck = row_effects->struck(n);
     h.struck = struck.force;
-    h.pulse.begin(struck.force,
-                  {c * struck.out.x - s * struck.out.z, 0.0, s * struck.out.x + c * struck.out.z});
+    h.struck_out = turned_back(struck.out, -(tick.angle_from + tick.turn));
   }
 }
 
@@ -256,11 +263,7 @@ void Scene::State::feel(Tick& tick) noexcept {
     const double below = lowest.radius - lowest.middle.y;
     if (below > 0.0) feel_stop(tick, n, below, lowest.radius, {0.0, 1.0, 0.0});
     if (row_effects) feel_coil(tick, n);
-    if (effects::kBuilt && def.beating) {
-      const Vec3 push = h.pulse.step(tick.sweep[n].to - tick.sweep[n].from, tick.dt);
-      touch.push += push;
-      tick.wanted[n] += push;
-    }
+    if (effects::kBuilt && h.paddle) feel_wall(tick, n);
   }
 }
 
@@ -283,7 +286,7 @@ void Scene::State::feel_coil(Tick& tick, std::size_t n) noexcept {
   if (built == nullptr) return;
   const effects::LaidCoil& laid = built->laid();
   const scene::HandState& h = hand[n];
-  if (slit.free() || h.used_up) return;
+  if (slit.free() || h.used_up || h.paddle) return;
   if (!h.coil && (!laid.any() || laid.closed() || !tools[h.tool].shape->round())) return;
   const double angle = tick.angle_from + tick.turn;
   const double c = portable::cos(angle), s = portable::sin(angle);
@@ -296,6 +299,17 @@ void Scene::State::feel_coil(Tick& tick, std::size_t n) noexcept {
                                         : laid.touched(clay, at, ball.radius, coil, height);
   feel_stop(tick, n, found.depth, ball.radius,
             {c * found.out.x - s * found.out.z, found.out.y, s * found.out.x + c * found.out.z});
+}
+
+// Stage 7. The wall is firm for a hand with a paddle, because only blows shape it.
+void Scene::State::feel_wall(Tick& tick, std::size_t n) noexcept {
+  scene::HandState& h = hand[n];
+  h.rests = false;
+  if (slit.free() || !lump.playing()) return;
+  const double radius = tools[h.tool].size.radius, angle = tick.angle_from + tick.turn;
+  const effects::Overlap found = effects::wall_touched(clay, turned_back(h.at, angle), radius);
+  h.rests = found.depth > 0.0;
+  feel_stop(tick, n, found.depth, radius, turned_back(found.out, -angle));
 }
 
 // Stages 5 and 7 as printed in the paper: no steps within the tick, no stops, and a filter.
@@ -333,6 +347,7 @@ Feedback Scene::State::guard_and_report(const Tick& tick) noexcept {
     const Press& press = tick.press[n];
     felt.contact = h.present && (press.touched > 0 || h.rests || h.struck > 0.0);
     felt.blow = h.struck;
+    felt.blow_out = h.struck_out;
     felt.side = tick.side[n];
     felt.place = tick.place[n];
     felt.depth = h.present ? press.depth : 0.0;

@@ -85,7 +85,7 @@ struct Scene::State {
   Yielding yielding_at(double height) const;
   void keep_history(const Tick& tick) noexcept;
   bool presses(const scene::HandState& h) const {
-    return h.present && !h.coil && !tools[h.tool].shape->severs();
+    return h.present && !h.coil && !h.paddle && !tools[h.tool].shape->severs();
   }
   const effects::Building* building() const {
     return effects::kBuilt && row_effects ? row_effects->building() : nullptr;
@@ -106,6 +106,7 @@ struct Scene::State {
   void feel(Tick& tick) noexcept;
   void feel_stop(Tick& tick, std::size_t n, double depth, double radius, Vec3 out) noexcept;
   void feel_coil(Tick& tick, std::size_t n) noexcept;
+  void feel_wall(Tick& tick, std::size_t n) noexcept;
   void press_as_printed(Tick& tick) noexcept;
   Feedback guard_and_report(const Tick& tick) noexcept;
 };

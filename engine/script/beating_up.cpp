@@ -52,6 +52,7 @@ class BeatingUp final : public Script {
     HandInput& hand = hands.hand[0];
     hand.position = {out * portable::cos(kHandAngle), height, out * portable::sin(kHandAngle)};
     hand.active = true;
+    hand.paddle = true;
     hand.blow = within < lies_;
     hand.anvil = true;
     return hands;

@@ -71,6 +71,7 @@ std::uint64_t blows_hash(SceneDef def, Vectors kind) {
   for (int n = 0; n < 4000; ++n) {
     HandInput& hand = hands.hand[0];
     hand.active = true;
+    hand.paddle = n % 700 < 600;
     hand.blow = n % 90 > 60;
     hand.anvil = n < 2000;
     hand.position = {n < 3000 ? 0.064 : 0.022, 0.05 + 0.00002 * n, 0.003 * portable::sin(0.02 * n)};

@@ -21,7 +21,6 @@ void InsteadOfHands::take_up(std::string_view tool, WheelSpeed& speed) {
   if (tool != scene::kPaddle || !has(tool)) return;
   const SceneForVisitor wheel = desk_.wheel();
   paddle_.emplace(*wheel.face, wheel.tool_radius);
-  desk_.world.wheel_commands->take(0, 0);
   desk_.world.wheel_commands->hold(loop::InHand::paddle);
   speed.lay(true, kBeating, desk_);
 }

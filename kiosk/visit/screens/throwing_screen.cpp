@@ -67,7 +67,7 @@ class Throwing final : public Screen {
       speed_.send(desk);
       desk.world.wheel_commands->water(water_.wet());
       // A pot that comes back from its result has what its hands held then.
-      if (coil().built() || instead_.held())
+      if (coil().built() || desk.wheel().face)
         take_up(coil().lacks_a_ring() ? CoilAtWheel::kTool : 0);
     }
     if (done_) return finish();
@@ -98,7 +98,8 @@ class Throwing final : public Screen {
     if (coil().wall_is_there_now() && coil().held()) by_buttons() ? take_up(0) : let_go();
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
     clay_.look(desk, contact);
-    water_.look(contact, desk.status.feedback.wetness, dt);
+    // A paddle needs no water.
+    water_.look(contact && !instead_.paddle(), desk.status.feedback.wetness, dt);
     if (desk.pot_ready() && !mishap_)
       lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
     measured_.update(desk, picture_.made());

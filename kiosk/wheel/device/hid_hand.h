@@ -42,6 +42,7 @@ class HidHand final : public HandDevice {
   ForceRequest wish_;
   bool pushes_;  ///< A force device.
   force::HapticLimits limits_;
+  bool struck_ = false;  ///< Its blow was felt.
   force::Haptics haptics_;
   ReportInterpolation join_;
   std::atomic<double> share_{1.0};

@@ -9,7 +9,8 @@ enum class InHand : std::uint8_t {
   tool,    ///< Its tool (HandInput::tool).
   coil,    ///< A coil of clay (HandInput::coil).
   paddle,  ///< A paddle, with an anvil behind the wall: it beats three times a second where the
-           ///< hand is (HandInput::blow). The hand of a force device beats where it presses.
+           ///< hand is (HandInput::blow). The hand of a force device beats while it rests on the
+           ///< wall.
 };
 
 /// The rhythm of the paddle. Plain values; the loop's thread.
@@ -21,9 +22,9 @@ class Paddle {
 
   /// A tick of `seconds`. `beats`: a hand is where it should strike. True while the paddle lies on
   /// the wall: a blow is where this becomes true. The first comes a sixth of a second after the
-  /// hand.
+  /// hand, and each lies its whole time.
   bool step(bool beats, double seconds) noexcept {
-    if (!beats) return at_ = kBegins, false;
+    if (!beats && at_ >= kLies) return at_ = kBegins, false;
     at_ += seconds;
     if (at_ >= kBeat) at_ -= kBeat;
     return at_ < kLies;

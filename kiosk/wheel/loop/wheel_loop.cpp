@@ -57,6 +57,7 @@ void WheelLoop::hand_back(const Returned& done) noexcept {
 }
 
 void WheelLoop::lift_hands() noexcept {
+  led_ = false;
   asked_ = Hands{};
   for (std::size_t n = 0; n < attached_; ++n) devices_[n].device->lead(HandInput{});
 }
@@ -105,6 +106,7 @@ void WheelLoop::apply(const command::Detach& wish) noexcept {
 }
 
 void WheelLoop::apply(const command::Lead& wish) noexcept {
+  if (wish.hand == 0) led_ = wish.target.active;
   for (std::size_t n = 0; n < attached_; ++n)
     if (devices_[n].hand == wish.hand) devices_[n].device->lead(wish.target);
 }
@@ -176,30 +178,16 @@ void WheelLoop::read_hands(double dt, Hands& hands) noexcept {
 
 void WheelLoop::beat(double dt, HandInput& hand) noexcept {
   const bool led = leads_[0] != nullptr && leads_[0]->led();
-  const bool there = hand.active && (led || status_.feedback.hand[0].depth > 0.0);
-  hand.blow = paddle_.step(there, dt);
-  hand.anvil = true;
-}
-
-// The paddle in place of the hand that leads it: its face on the wall, its handle up and to the
-// visitor's right, where it hides little of the pot.
-void WheelLoop::show_paddle(HandView& hand) const noexcept {
-  const double out = axis_distance(hand.at);
-  const double face = pot_->scene.def().beating ? pot_->scene.def().beating->face : 0.0;
-  if (!hand.present || !(out > 0.0) || !(face > 0.0)) return;
-  const Vec3 away{hand.at.x / out, 0.0, hand.at.z / out};
-  Vec3 round{-away.z, 0.0, away.x};
-  if (round.x < 0.0) round = -1.0 * round;
-  const Vec3 handle = round + Vec3{0.0, 1.5, 0.0};
-  const double ball = hand.radius;
-  hand.name = scene::kPaddle;
-  hand.body = BodyKind::box;
-  hand.radius = 0.8 * face;
-  hand.length = 2.0 * face;
-  hand.thickness = 0.008;
-  hand.along = (1.0 / length(handle)) * handle;
-  hand.across = away;
-  hand.at += (0.5 * hand.thickness - ball + Paddle::kSwing * paddle_.back()) * away;
+  const bool there = led ? led_ : status_.feedback.hand[0].contact;
+  hand.tool = 0;
+  hand.coil = false;
+  hand.paddle = hand.anvil = true;
+  hand.blow = paddle_.step(hand.active && there, dt);
+  // A visitor's own hand swings by itself.
+  const double out = axis_distance(hand.position);
+  if (!led || !(out > 0.0)) return;
+  const double back = Paddle::kSwing * paddle_.back() / out;
+  hand.position += back * Vec3{hand.position.x, 0.0, hand.position.z};
 }
 
 void WheelLoop::feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept {
@@ -237,7 +225,6 @@ void WheelLoop::step(double dt) noexcept {
   status_.hands = record.hands;
   for (int n = 0; n < kMaxHands; ++n)
     status_.hand[static_cast<std::size_t>(n)] = pot_->scene.hand(n);
-  if (in_hand_ == InHand::paddle && script_ == nullptr) show_paddle(status_.hand[0]);
   if (!pot_->records.try_enqueue(record)) ++pot_->dropped_records;
   feel(status_.feedback.hand);
 }

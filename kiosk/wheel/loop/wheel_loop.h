@@ -96,7 +96,6 @@ class WheelLoop {
   void lift_hands() noexcept;
   void read_hands(double dt, Hands& hands) noexcept;
   void beat(double dt, HandInput& hand) noexcept;
-  void show_paddle(HandView& hand) const noexcept;
   void feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept;
   void step(double dt) noexcept;
   void decorate(double dt) noexcept;
@@ -113,8 +112,9 @@ class WheelLoop {
   std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
   InHand in_hand_ = InHand::tool;
   Paddle paddle_;
-  double off_ = 0;  ///< s for which all hands stay off freshly laid clay.
-  Hands asked_;     ///< Wheel, water and the one-tick requests; hands come from the devices.
+  bool led_ = false;  ///< The screens want hand 0 on the clay.
+  double off_ = 0;    ///< s for which all hands stay off freshly laid clay.
+  Hands asked_;       ///< Wheel, water and the one-tick requests; hands come from the devices.
   LeatherWork leather_;
   bool paused_ = false;
   bool shown_ = false;

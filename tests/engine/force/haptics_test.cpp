@@ -36,6 +36,28 @@ TEST(Haptics, TurnedOffNothingIsFeltThoughThereIsADebt) {
   for (int n = 500; n < 600; ++n) EXPECT_EQ(given_for_nothing(haptics, n, 0.0), Vec3{}) << n;
 }
 
+// The coupling's tool has no mass: a push on it would only move it.
+TEST(Haptics, ABlowIsFeltByTheHandThatStruckForItsWholeTime) {
+  for (const double stiffness : {19.0, 257.0, 1500.0}) {
+    Haptics haptics;
+    HapticLimits limits = kHandle;
+    limits.stiffness = stiffness;
+    double most = 0.0;
+    int felt = 0;
+    for (int n = 0; n < 100; ++n) {
+      haptics.tool({0.07, 0.06, 0.0}, kMs, limits);
+      if (n == 10) haptics.strike(66.0, {1.0, 0.0, 0.0});
+      const Vec3 force = haptics.feel({}, 1.0, limits);
+      most = std::max(most, force.x);
+      felt += force.x > 0.0 ? 1 : 0;
+      EXPECT_EQ(haptics.coupling().stretch(), Vec3{}) << "the tool stays where the hand is";
+    }
+    EXPECT_GT(most, 2.5) << stiffness;
+    EXPECT_LT(most, BlowPulse::kMost);
+    EXPECT_NEAR(felt, 23, 2) << stiffness;
+  }
+}
+
 TEST(Haptics, AHandThatWasAwayHasNoDebt) {
   Haptics haptics;
   for (int n = 0; n < 500; ++n) given_for_nothing(haptics, n, 1.0);

@@ -107,7 +107,7 @@ TEST(HardScenes, WhateverIsBeaten) {
         def.clay.keep_undo = true;
         Trial trial = anything(def, ++seed, 4000);
         for (Stroke& stroke : trial.strokes)
-          for (Stroke::Part& part : stroke.hand) part.beats = true;
+          for (Stroke::Part& part : stroke.hand) part.beats = part.begins.paddle = true;
         expect_stable(trial);
       }
 }

@@ -94,6 +94,35 @@ TEST(PaddleHand, MakesTheWallThinWhileTheWheelTurnsAndStopsWithTheFinger) {
   EXPECT_EQ(b.blows, blows);
 }
 
+// The hand glides after the finger, along a chord of the pot: it must not press on its way.
+TEST(PaddleHand, PressesNothingHoweverFastTheFingerGoesRoundOrUp) {
+  Beater b;
+  const std::uint64_t fresh = b.clay().change();
+  b.finger(InputEvent::Kind::pointer_down, {0.055, 0.03, 0});
+  for (int n = 0; n < 40; ++n) {
+    const double angle = 0.2 * n;
+    b.finger(InputEvent::Kind::pointer_move,
+             {0.055 * std::cos(angle), 0.02 + 0.002 * n, 0.055 * std::abs(std::sin(angle))});
+    b.frames(0.032);
+  }
+  EXPECT_EQ(b.deepest, 0.0);
+  EXPECT_GT(b.blows, 2);
+  EXPECT_GT(b.clay().change(), fresh);
+}
+
+TEST(PaddleHand, StrikesNoMoreOnceTheFingerIsLiftedWhenever) {
+  for (int after = 40; after < 400; after += 30) {
+    Beater b;
+    b.finger(InputEvent::Kind::pointer_down, {0.055, 0.06, 0});
+    b.frames(0.001 * after + 0.3);
+    b.finger(InputEvent::Kind::pointer_up, {});
+    b.frames(0.016);
+    const int blows = b.blows;
+    b.frames(1.0);
+    EXPECT_EQ(b.blows, blows) << after << " ms";
+  }
+}
+
 TEST(PaddleHand, DoesNothingBesideThePot) {
   Beater b;
   b.finger(InputEvent::Kind::pointer_down, {0.12, 0.06, 0});

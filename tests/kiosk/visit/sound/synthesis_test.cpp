@@ -156,6 +156,10 @@ TEST(Paddle, IsHeardOnceABlowAndFadesWithinHalfASecond) {
   const std::vector<float> one = knocked(60.0, 0.0), two = knocked(60.0, 0.0, 2);
   EXPECT_GT(loudness(one), 0.01);
   EXPECT_NEAR(loudness(two), loudness(one), 0.1 * loudness(one)) << "as loud in twice the time";
+  float steepest = 0.0f;
+  for (std::size_t n = 1; n < two.size(); ++n)
+    steepest = std::max(steepest, std::fabs(two[n] - two[n - 1]));
+  EXPECT_LT(steepest, 0.03f) << "a knock, and no click";
   const std::vector<float> end(one.end() - 4800, one.end());
   EXPECT_LT(loudness(end), 0.02 * loudness(one));
   EXPECT_EQ(loudness(knocked(0.0, 0.0)), 0.0) << "a blow that missed";
@@ -203,7 +207,12 @@ TEST(Studio, NeverLeavesItsRangeNorClicksWhateverItIsTold) {
     for (const double b : figures)
       for (const auto kind :
            {Rub::Kind::hand, Rub::Kind::sponge, Rub::Kind::rib, Rub::Kind::wire}) {
-        Heard heard{a, b, {Rub{kind, a, b}, Rub{kind, b, a}}, b, ++told % 5 == 0 ? a : 1.0};
+        Heard heard{.wheel = a,
+                    .wet = b,
+                    .rub = {Rub{kind, a, b}, Rub{kind, b, a}},
+                    .knock = {Knock{a}, Knock{b}},
+                    .fire = b,
+                    .volume = ++told % 5 == 0 ? a : 1.0};
         for (const float x : played(synthesis, heard, 0.01))
           ASSERT_LE(std::fabs(x), 1.0f) << a << ' ' << b;
       }

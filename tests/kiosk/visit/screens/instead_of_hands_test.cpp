@@ -1,0 +1,150 @@
+#include "kiosk/visit/screens/instead_of_hands.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/kiosk/visit/screens/visitor.h"
+
+namespace onggi::screens::instead_of_hands_test {
+namespace {
+
+constexpr std::uint8_t kCuttingWire = 7, kRib = 3;
+
+/// At a wheel with a paddle, and a coil if `built`.
+struct AtAPaddle : Visitor {
+  explicit AtAPaddle(bool built = false, bool by_buttons = false) {
+    exhibit.screen.spoken = by_buttons;
+    for (ShelfCard& card : shelf) {
+      card.wheel.face = 0.03;
+      card.wheel.max_speed = 8.0;
+      card.wheel.tools = {{0, "paddle", 0.03, 0.03},
+                          {kCuttingWire, "wire", 0.0005, 0.0005},
+                          {kRib, "flat_rib", 0.0015, 0.045}};
+      card.wheel.wire = kCuttingWire;
+      if (!built) continue;
+      card.wheel.coil = 0.013;
+      card.wheel.tools.insert(card.wheel.tools.begin(), {0, "coil", 0.0065, 0.0065});
+    }
+    throw_a_pot();
+    frames(2);
+  }
+  void take(int tool) {
+    touch("throw.tools");
+    touch("throw.tool." + std::to_string(tool));
+    frames(2);
+  }
+  const HandInput& outer_hand() const {
+    return wheel_commands.hands[wheel_commands.hands.size() - 2];
+  }
+};
+
+TEST(InsteadOfHands, ThePaddleIsHeldOnASlowWheelUntilAnotherToolIsTaken) {
+  AtAPaddle v;
+  EXPECT_FALSE(v.wheel_commands.paddle);
+  const double fast = v.wheel_commands.wheels.back();
+  v.take(1);
+  EXPECT_TRUE(v.wheel_commands.paddle);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+  EXPECT_NE(words_in(v.frame).find("Hold the paddle on the wall"), std::string::npos);
+  EXPECT_NE(words_in(v.frame).find("Beat the wall"), std::string::npos);
+  v.take(3);
+  EXPECT_FALSE(v.wheel_commands.paddle);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), fast);
+  v.wheel_commands.hands.clear();
+  v.touch_clay();
+  EXPECT_TRUE(std::ranges::any_of(v.wheel_commands.hands, [](const HandInput& hand) {
+    return hand.active && hand.tool == kRib;
+  })) << "the rib works, and no ball";
+  v.take(1);
+  v.take(0);
+  EXPECT_FALSE(v.wheel_commands.paddle) << "bare hands";
+}
+
+TEST(InsteadOfHands, TheWireIsTakenInPlaceOfThePaddle) {
+  AtAPaddle v;
+  v.touch_clay();
+  v.take(1);
+  v.take(2);
+  EXPECT_FALSE(v.wheel_commands.paddle);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 0.0);
+}
+
+TEST(InsteadOfHands, CoilAndPaddleTakeEachOthersPlace) {
+  AtAPaddle v(true);
+  for (int n = 0; n < 2; ++n) {
+    v.take(2);
+    EXPECT_TRUE(v.wheel_commands.paddle);
+    EXPECT_FALSE(v.wheel_commands.coil);
+    v.take(1);
+    EXPECT_FALSE(v.wheel_commands.paddle);
+    EXPECT_TRUE(v.wheel_commands.coil);
+  }
+  EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+}
+
+TEST(InsteadOfHands, AFingerLeadsThePaddleAndLetsGoOfIt) {
+  AtAPaddle v;
+  v.take(1);
+  const auto at = *v.frame.pot->camera.project({0.05, 0.5 * v.clay.rim_height(), 0});
+  v.down(at.first, at.second);
+  v.show();
+  EXPECT_TRUE(v.outer_hand().active);
+  EXPECT_EQ(v.outer_hand().tool, 0);
+  EXPECT_GT(axis_distance(v.outer_hand().position),
+            v.clay.radius_at(0.5 * v.clay.rim_height(), WallSide::outside) + v.wheel.tool_radius);
+  v.up(at.first, at.second);
+  v.show();
+  EXPECT_FALSE(v.outer_hand().active);
+}
+
+TEST(InsteadOfHands, OneButtonBeatsTheWallOnceAndPressedAgainStops) {
+  AtAPaddle v;
+  v.take(1);
+  v.touch("throw.show");
+  v.frames(2);
+  EXPECT_TRUE(v.outer_hand().active);
+  const double low = v.outer_hand().position.y;
+  v.frames(120);
+  EXPECT_GT(v.outer_hand().position.y, low + 0.005) << "it goes up";
+  v.touch("throw.show");
+  v.frames(1);
+  EXPECT_FALSE(v.outer_hand().active);
+  EXPECT_TRUE(v.wheel_commands.paddle) << "the paddle stays in the hand";
+}
+
+TEST(InsteadOfHands, StrokesByButtonsSayHowThePaddleIsUsed) {
+  AtAPaddle v(false, true);
+  v.take(1);
+  EXPECT_NE(words_in(v.frame).find("the paddle goes up the wall"), std::string::npos);
+}
+
+TEST(InsteadOfHands, APotThatComesBackFromItsResultIsNotBeaten) {
+  AtAPaddle v;
+  v.touch_clay();
+  v.take(1);
+  v.touch("throw.done");
+  v.frames(1);
+  ASSERT_EQ(v.visit->screen(), ScreenId::result);
+  v.touch("back");
+  v.frames(2);
+  ASSERT_EQ(v.visit->screen(), ScreenId::throwing);
+  EXPECT_FALSE(v.wheel_commands.paddle) << "the tray shows the hands";
+}
+
+TEST(InsteadOfHands, TwoVisitorsHaveNeither) {
+  VisitInputs world;
+  std::vector<ShelfCard> shelf(1);
+  shelf[0].wheel.face = 0.03;
+  world.shelf = &shelf;
+  Desk desk(world);
+  desk.card = 0;
+  const InsteadOfHands two(desk, true), one(desk, false);
+  EXPECT_FALSE(two.has("paddle"));
+  EXPECT_TRUE(one.has("paddle"));
+  EXPECT_FALSE(one.has("coil"));
+  EXPECT_FALSE(one.has("flat_rib"));
+}
+
+}  // namespace
+}  // namespace onggi::screens::instead_of_hands_test
