@@ -52,7 +52,11 @@ TEST(InsteadOfHands, ThePaddleIsHeldOnASlowWheelUntilAnotherToolIsTaken) {
   EXPECT_FALSE(v.wheel_commands.paddle);
   EXPECT_EQ(v.wheel_commands.wheels.back(), fast);
   v.wheel_commands.hands.clear();
-  v.touch_clay();
+  const auto at = *v.frame.pot->camera.project({0.05, 0.5 * v.clay.rim_height(), 0});
+  v.down(at.first, at.second);
+  v.show();
+  v.up(at.first, at.second);
+  v.show();
   EXPECT_TRUE(std::ranges::any_of(v.wheel_commands.hands, [](const HandInput& hand) {
     return hand.active && hand.tool == kRib;
   })) << "the rib works, and no ball";
@@ -102,15 +106,18 @@ TEST(InsteadOfHands, OneButtonBeatsTheWallOnceAndPressedAgainStops) {
   AtAPaddle v;
   v.take(1);
   v.touch("throw.show");
-  v.frames(2);
+  v.frames(1);
   EXPECT_TRUE(v.outer_hand().active);
   const double low = v.outer_hand().position.y;
-  v.frames(120);
+  v.frames(3);
   EXPECT_GT(v.outer_hand().position.y, low + 0.005) << "it goes up";
   v.touch("throw.show");
   v.frames(1);
   EXPECT_FALSE(v.outer_hand().active);
   EXPECT_TRUE(v.wheel_commands.paddle) << "the paddle stays in the hand";
+  v.touch("throw.show");
+  v.frames(12);
+  EXPECT_FALSE(v.outer_hand().active) << "once up the wall";
 }
 
 TEST(InsteadOfHands, StrokesByButtonsSayHowThePaddleIsUsed) {
