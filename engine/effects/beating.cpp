@@ -68,7 +68,8 @@ Patch patch_of(const BeatingDef& def, const Clay& clay, const Blow& blow) {
   const int n = clay.sectors(), middle = sector_at(clay, blow.at);
   const auto i = static_cast<std::size_t>(middle);
   patch.radius = double{(blow.side == WallSide::outside ? clay.outer(j) : clay.inner(j))[i]};
-  if (std::fabs(out - patch.radius) > kFarthest + blow.ball || !(out > 0.0)) return patch;
+  if (std::fabs(out - patch.radius) > kFarthest + blow.ball || !(out > 0.0 && patch.radius > 0.0))
+    return patch;
   // On coarse grids the face has an element, at least.
   const double sector = 2.0 * portable::kPi / n;
   patch.across = std::max(std::min(def.face, patch.radius), sector * patch.radius);
@@ -241,18 +242,16 @@ Pressed press_row(Clay& clay, const Patch& patch, int j, const Work& work) {
   return {sum / clay.sectors(), static_cast<float>(under / clay.sectors())};
 }
 
-// Makes row `j` wider all round by `by` (m), and writes what follows from its new radii. Its extent
-// is a bound: it moves with the row, and with a dent.
-void widen_row(Clay& clay, int j, double by, const Work& work) {
-  const auto most = static_cast<float>(clay.def().radius_max);
-  const auto moved = static_cast<float>(work.moved);
-  const float wider =
-      std::clamp(static_cast<float>(by), 0.0f, std::max(most - clay.outer_most(j), 0.0f));
-  for (float& r : clay.pressable_outer(j)) r += wider;
-  for (float& r : clay.pressable_inner(j)) r += wider;
-  clay.set_extent(j,
-                  std::min(clay.outer_most(j) + wider + (work.from_outside ? 0.0f : moved), most),
-                  std::max(clay.inner_least(j) + wider - (work.from_outside ? moved : 0.0f), 0.0f));
+// Makes row `j` wider all round by `by` (m), and writes what follows from its new radii.
+void widen_row(Clay& clay, int j, double by) {
+  const std::span<float> outer = clay.pressable_outer(j), inner = clay.pressable_inner(j);
+  const float farthest = *std::ranges::max_element(outer);
+  const float nearest = *std::ranges::min_element(inner);
+  const double room = std::max(0.0, clay.def().radius_max - double{farthest});
+  const auto wider = static_cast<float>(std::clamp(by, 0.0, room));
+  for (float& r : outer) r += wider;
+  for (float& r : inner) r += wider;
+  clay.set_extent(j, farthest + wider, nearest + wider);
   clay.areas()->set(j, clay.measured_area(j));
   clay.areas()->mark(j);
   clay.mark_dirty(j);
@@ -319,8 +318,7 @@ Struck strike(const StageWork& work, const Blow& blow, std::span<Looked> room,
       0.5 * (done.from_outside ? 2.0 * patch.radius - wall : 2.0 * patch.radius + wall);
   const double wider = faces > 0.0 ? 0.5 * thinner / faces * radius : 0.0;
   for (int j = patch.first; j < patch.end; ++j)
-    if (gives(clay, j))
-      widen_row(clay, j, wider * double{under[static_cast<std::size_t>(j)]}, done);
+    if (gives(clay, j)) widen_row(clay, j, wider * double{under[static_cast<std::size_t>(j)]});
   const double way = done.from_outside ? 1.0 : -1.0;
   return {force, Vec3{way * patch.x, 0.0, way * patch.z}};
 }

@@ -41,7 +41,7 @@ class Haptics {
                            {limits.stiffness, limits.own_damping, most, limits.delay});
   }
   /// The hand struck the clay with `force` (N), and is pushed `out` (unit): BlowPulse. The tool in
-  /// the clay stays where it is.
+  /// the clay stays where it is. 0: it struck nothing, and a push ends.
   void strike(double force, Vec3 out) noexcept { pulse_.begin(force, out); }
   void release() noexcept {
     pulse_.release();

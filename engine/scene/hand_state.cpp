@@ -106,7 +106,7 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
 }
 
 // The face on the wall, and the handle up and to the visitor's right, where it hides little.
-HandView seen_paddle(const HandState& hand, const Tool& tool, double face) noexcept {
+static HandView seen_paddle(const HandState& hand, const Tool& tool, double face) noexcept {
   constexpr double kThick = 0.008;  // m
   constexpr double kUpright = 1.5;  // up for each way round
   HandView view;

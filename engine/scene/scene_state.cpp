@@ -62,7 +62,7 @@ void Scene::State::take_hand(Tick& tick, std::size_t n, const HandInput& in) noe
   }
   tick.sweep[n].seconds = tick.dt;
   HandInput here = in;
-  here.coil = in.coil && building() != nullptr;
+  here.coil = in.coil && !in.paddle && building() != nullptr;
   here.paddle = effects::kBuilt && in.paddle && def.beating;
   tick.held[n] = !h.take(here, tools, tick.sweep[n]);
   if (!tick.held[n]) return;

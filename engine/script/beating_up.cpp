@@ -48,7 +48,8 @@ class BeatingUp final : public Script {
             ? 0.0
             : 0.5 - 0.5 * portable::cos(2.0 * portable::kPi * (within - lies_) / (beat_ - lies_));
     const int row = std::clamp(clay.first_row_above(height), 0, clay.rows() - 1);
-    const double out = double{clay.outer_most(row)} + ball_ + kAway + kSwing * back;
+    const double out =
+        double{*std::ranges::max_element(clay.outer(row))} + ball_ + kAway + kSwing * back;
     HandInput& hand = hands.hand[0];
     hand.position = {out * portable::cos(kHandAngle), height, out * portable::sin(kHandAngle)};
     hand.active = true;

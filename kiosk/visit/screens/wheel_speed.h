@@ -37,8 +37,10 @@ class WheelSpeed {
   /// rad/s.
   void lay(bool on, double most, const Desk& desk) {
     most_laying_ = std::min(most, desk.wheel().max_speed);
-    if (std::exchange(laying_, on) == on) return;
-    std::swap(asked_, other_);
+    if (std::exchange(laying_, on) != on)
+      std::swap(asked_, other_);
+    else if (!on)
+      return;
     if (on) asked_ = std::min(asked_, most_laying_);
     send(desk);
   }

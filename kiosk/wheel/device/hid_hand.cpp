@@ -147,7 +147,7 @@ void HidHand::feel(const HandFeedback& feedback) noexcept {
   const double share = clutched_ ? 0.0 : share_.load(std::memory_order_relaxed);
   Vec3 force = share * feedback.force;
   if (pushes_) {
-    if (feedback.blow > 0.0 && !struck_) haptics_.strike(feedback.blow, feedback.blow_out);
+    if ((feedback.blow > 0.0) != struck_) haptics_.strike(feedback.blow, feedback.blow_out);
     struck_ = feedback.blow > 0.0;
     force = used_ && !clutched_ ? haptics_.feel(feedback.touch, share, limits_) : Vec3{};
     // The gate gets it anyway: it stops the force at once, and counts the fault.

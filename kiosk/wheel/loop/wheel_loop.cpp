@@ -198,6 +198,7 @@ void WheelLoop::feel(const std::array<HandFeedback, kMaxHands>& felt) noexcept {
     mine.touch.push = calm_ * mine.touch.push;
     mine.touch.stiffness *= calm_;
     mine.touch.grip *= calm_;
+    mine.blow *= calm_;
     devices_[n].device->feel(mine);
   }
 }

@@ -346,6 +346,23 @@ TEST(ABlow, IsTakenBackByUndo) {
   EXPECT_EQ(middle_of(scene).wall, before);
 }
 
+TEST(ABlow, AfterAnUndoIsAsOnAFreshWall) {
+  const auto beaten = [](bool undone) {
+    Scene scene = made(wall());
+    for (int n = 0; n < 5 && undone; ++n) strike(scene, paddle());
+    Hands hands;
+    hands.restore = undone;
+    for (int n = 0; n < 1000; ++n) scene.step(hands, 0.001), hands.restore = false;
+    for (int n = 0; n < 20; ++n) strike(scene, paddle(0.06, 0.3 * n));
+    return Middle{double{scene.clay().outer(row_at(scene.clay(), 0.06))[90]},
+                  scene.clay().rim_height()};
+  };
+  const Middle fresh = beaten(false), again = beaten(true);
+  EXPECT_GT(fresh.outer, kOuter + 0.0005);
+  EXPECT_NEAR(again.outer, fresh.outer, 1e-7);
+  EXPECT_NEAR(again.wall, fresh.wall, 1e-7);  // the rim's height
+}
+
 TEST(APaddle, PressesNothingAndFindsTheWallFirm) {
   SceneDef def = wall();
   def.guard.engage_time = 0.05;

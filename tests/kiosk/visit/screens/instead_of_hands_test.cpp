@@ -85,6 +85,11 @@ TEST(InsteadOfHands, CoilAndPaddleTakeEachOthersPlace) {
     EXPECT_TRUE(v.wheel_commands.coil);
   }
   EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+  // A paddle may be faster than the rim takes a coil.
+  v.take(2);
+  for (int n = 0; n < 4; ++n) v.touch("throw.faster");
+  v.take(1);
+  EXPECT_LT(v.wheel_commands.wheels.back() * v.shelf[0].target.max_radius(), v.wheel.pace);
 }
 
 TEST(InsteadOfHands, AFingerLeadsThePaddleAndLetsGoOfIt) {
