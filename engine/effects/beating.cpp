@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/effects/effect_list.h"
+#include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
 namespace onggi {
@@ -244,14 +245,18 @@ Pressed press_row(Clay& clay, const Patch& patch, int j, const Work& work) {
 
 // Makes row `j` wider all round by `by` (m), and writes what follows from its new radii.
 void widen_row(Clay& clay, int j, double by) {
+  const ClayDef& lump = clay.def();
   const std::span<float> outer = clay.pressable_outer(j), inner = clay.pressable_inner(j);
-  const float farthest = *std::ranges::max_element(outer);
-  const float nearest = *std::ranges::min_element(inner);
-  const double room = std::max(0.0, clay.def().radius_max - double{farthest});
+  const row_kernels::Table& kernels = row_kernels::of(clay.vectors());
+  const float farthest = kernels.bounds(clay.stride(), outer.data(), inner.data()).farthest;
+  const double room = std::max(0.0, lump.radius_max - double{farthest});
   const auto wider = static_cast<float>(std::clamp(by, 0.0, room));
   for (float& r : outer) r += wider;
   for (float& r : inner) r += wider;
-  clay.set_extent(j, farthest + wider, nearest + wider);
+  // Changes nothing but a wall that rounding made too thin, and tells the row's extent.
+  const row_kernels::FaceMoved extent = kernels.mix(
+      clay.stride(), 1.0f, 0.0f, static_cast<float>(lump.wall_min), outer.data(), inner.data());
+  clay.set_extent(j, extent.outermost, extent.innermost);
   clay.areas()->set(j, clay.measured_area(j));
   clay.areas()->mark(j);
   clay.mark_dirty(j);

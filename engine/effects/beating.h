@@ -48,7 +48,7 @@ class Beating : public KeepsNoRows {
   explicit Beating(const Clay& clay);
 
   /// Stage 6.9: the blows of the tick. For each: at most kLooked elements about thirty times, all
-  /// elements under the face once, and their whole rows four times.
+  /// elements under the face once, and their whole rows five times, by vectors.
   void run(const StageWork& work) noexcept;
   /// What hand `n` struck in the last tick.
   const Struck& struck(std::size_t n) const { return struck_[n]; }

@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 
+#include "tests/bench/blows.h"
 #include "tests/bench/goal_list.h"
 #include "tests/bench/goals.h"
 #include "tests/bench/presets.h"
@@ -98,6 +99,16 @@ void run_goal(benchmark::State& state, const std::function<Figures()>& goal) {
   }
 }
 
+void run_blows(benchmark::State& state, const Grid& grid, Effort effort) {
+  for (auto _ : state) {
+    const Times t = time_blows(grid.rows, grid.sectors, effort.few ? 3 : 200);
+    state.SetIterationTime(1e-9 * t.median);
+    state.counters["median_ns"] = t.median;
+    state.counters["p99_ns"] = t.p99;
+    state.counters["worst_ns"] = t.worst;
+  }
+}
+
 void declare(Effort effort) {
   const auto once = [](benchmark::internal::Benchmark* b, benchmark::TimeUnit unit) {
     b->Iterations(1)->UseManualTime()->Unit(unit);
@@ -118,6 +129,11 @@ void declare(Effort effort) {
                                         }),
            benchmark::kMicrosecond);
     }
+  for (const Grid& grid : kGrids)
+    once(benchmark::RegisterBenchmark(
+             ("blow/" + std::to_string(grid.rows) + "x" + std::to_string(grid.sectors)).c_str(),
+             [&grid, effort](benchmark::State& state) { run_blows(state, grid, effort); }),
+         benchmark::kMicrosecond);
   goal("goal/p999", [=] { return tail_on_the_finest_grid(effort); });
 #ifdef ONGGI_WITH_SCENES
   goal("goal/presets", [=] { return preset_tails(effort); });
