@@ -206,8 +206,9 @@ double go_in(std::span<const Looked> looked, double work, Face& face) {
 struct Work {
   bool from_outside = true;
   bool squeezes = false;
-  Face outer, inner;   // only if it squeezes
-  double moved = 0.0;  // m, in the middle
+  Face outer, inner;    // only if it squeezes
+  bool inwards = true;  // the wall moves so,
+  double moved = 0.0;   // m, in the middle
 };
 
 // What became of a row.
@@ -232,9 +233,9 @@ Pressed press_row(Clay& clay, const Patch& patch, int j, const Work& work) {
     const double in = work.squeezes ? work.inner.into(double{inner[i]}, at) : 0.0;
     const double share = out + in > most ? most / (out + in) : 1.0;
     const double room =
-        work.from_outside ? double{inner[i]} - lump.radius_min : lump.radius_max - double{outer[i]};
+        work.inwards ? double{inner[i]} - lump.radius_min : lump.radius_max - double{outer[i]};
     const double moves = std::min(at.weight * work.moved, std::max(0.0, room));
-    const double way = work.from_outside ? -moves : moves;
+    const double way = work.inwards ? -moves : moves;
     outer[i] = static_cast<float>(double{outer[i]} + way - share * out);
     inner[i] = static_cast<float>(double{inner[i]} + way + share * in);
     const double thins = share * (out + in) / wall;
@@ -283,28 +284,31 @@ Struck strike(const StageWork& work, const Blow& blow, std::span<Looked> room,
   }
   wall /= area;
   const double stress = def.yield_stress * strength_at(work, patch);
-  const double held = std::clamp(blow.held, 0.0, 1.0);
+  const double squeezes = std::clamp(blow.squeezes, 0.0, 1.0);
+  const double moves = std::clamp(blow.moves, -1.0, 1.0);
   Work done;
   done.from_outside = blow.side == WallSide::outside;
+  done.inwards = done.from_outside == (moves >= 0.0);
 
   // Against an anvil: the mean pressure on a disc between two rough plates. Paddle and anvil go in
   // with the same force, so each face has half of the work.
   const double face = std::sqrt(patch.across * patch.up);
   const double pressure = stress * (1.0 + 2.0 * face / (3.0 * std::sqrt(3.0) * wall));
   double force = 0.0;
-  if (held > 0.0) {
+  if (squeezes > 0.0) {
     done.squeezes = true;
     for (const bool outside : {true, false}) {
       Face& each = outside ? done.outer : done.inner;
       each = face_of(looked, outside);
-      force += 0.5 * held * pressure * go_in(looked, 0.5 * held * def.energy / pressure, each);
+      force +=
+          0.5 * squeezes * pressure * go_in(looked, 0.5 * squeezes * def.energy / pressure, each);
     }
   }
-  // Without one: the load at which a clamped plate folds, as in wall_bears(). The hand stops the
-  // paddle after a wall's thickness at the latest.
+  // What one of the two strikes harder moves the wall: the load at which a clamped plate folds, as
+  // in wall_bears(). A hand stops after a wall's thickness at the latest.
   const double load = portable::kPi * stress * wall * wall;
-  done.moved = std::min((1.0 - held) * def.energy / load, wall);
-  force += (1.0 - held) * load;
+  done.moved = std::min(std::fabs(moves) * def.energy / load, wall);
+  force += std::fabs(moves) * load;
 
   double thinner = 0.0, faces = 0.0;
   for (int j = patch.first; j < patch.end; ++j) {

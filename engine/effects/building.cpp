@@ -126,7 +126,9 @@ bool Building::lay(const BuildingDef& def, Clay& clay, Vec3 from, Vec3 to, doubl
     laid_.lay(here, static_cast<float>(centre_under(def, clay, here, there)), step);
     more = true;
   }
-  if (more) clay.mark_dirty(clay.rows() - 1);  // so that undo and drawing see it
+  if (!more) return rests;
+  laid_.close_gaps(def.coil, step);
+  clay.mark_dirty(clay.rows() - 1);  // so that undo and drawing see it
   return rests;
 }
 

@@ -49,10 +49,11 @@ class Building {
   static double ring_height(const BuildingDef& def, const ClayDef& clay);
 
   /// A hand with a coil goes from `from` to `to` in `seconds` (> 0): its coil's middle, clay frame,
-  /// m. Where the coil rests on the rim, it is laid on every sector passed that is still free.
-  /// `step`: clay::History::depth(). Returns whether the coil rests on the rim. A ring for which
-  /// there is no room is not begun: below BuildingDef::tallest, in the rows, within radius_max.
-  /// O(sectors passed).
+  /// m. Where the coil rests on the rim, it is laid on every sector passed that is still free. A
+  /// gap narrower than the coil closes: a rim with a notch would keep a ring open for ever. `step`:
+  /// clay::History::depth(). Returns whether the coil rests on the rim. A ring for which there is
+  /// no room is not begun: below BuildingDef::tallest, in the rows, within radius_max. O(sectors
+  /// passed).
   bool lay(const BuildingDef& def, Clay& clay, Vec3 from, Vec3 to, double seconds,
            std::uint64_t step) noexcept;
   const LaidCoil& laid() const { return laid_; }

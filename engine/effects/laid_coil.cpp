@@ -68,6 +68,25 @@ void LaidCoil::lay(int sector, float centre, std::uint64_t step) noexcept {
   note({step, sector, centre, {}});
 }
 
+// Free sectors onwards from a laid one.
+int LaidCoil::gap_after(int sector) const noexcept {
+  int gap = 0;
+  while (gap < sectors() && centre((sector + gap + 1) % sectors()) == 0.0f) ++gap;
+  return gap;
+}
+
+void LaidCoil::close_gaps(double length, std::uint64_t step) noexcept {
+  const int n = sectors();
+  for (int i = 0; i < n; ++i) {
+    const int gap = centre(i) != 0.0f ? gap_after(i) : 0;
+    if (gap == 0 || gap > n / 8) continue;
+    const auto from = double{centre(i)}, to = double{centre((i + gap + 1) % n)};
+    if (gap * kTurn / n * std::min(from, to) >= length) continue;
+    for (int k = 1; k <= gap; ++k)
+      lay((i + k) % n, static_cast<float>(from + (to - from) * k / (gap + 1)), step);
+  }
+}
+
 void LaidCoil::raise(const Row& row, bool last, std::uint64_t step) noexcept {
   note({step, last ? kLastRow : kRow, 0.0f, row});
 }

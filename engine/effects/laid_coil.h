@@ -37,6 +37,9 @@ class LaidCoil {
 
   /// Lays `sector`, which was free, in step `step` (clay::History::depth()).
   void lay(int sector, float centre, std::uint64_t step) noexcept;
+  /// Gaps narrower than `length` (m) between two laid sectors are laid on a straight line from one
+  /// to the other; none wider than an eighth of the ring. O(sectors).
+  void close_gaps(double length, std::uint64_t step) noexcept;
   /// A row that a ring of coil became.
   struct Row {
     int stored = 0;
@@ -76,6 +79,7 @@ class LaidCoil {
     float centre = 0.0f;    // of a sector
     Row row;
   };
+  int gap_after(int sector) const noexcept;
   std::size_t lump() const noexcept;
   void note(const Event& event) noexcept;
   void take(const Event& event) noexcept;

@@ -40,7 +40,9 @@ struct Blow {
   Vec3 at;             ///< Where, clay frame, m.
   WallSide side = WallSide::outside;
   double ball = 0.0;  ///< m: radius of the hand's ball, at `at`.
-  double held = 0.0;  ///< Share that an anvil, or a hand, takes on the other face, 0..1.
+  // Shares of BeatingDef::energy, 0..1: spent on clay between paddle and anvil (or hand), and on
+  double squeezes = 0.0;
+  double moves = 0.0;  // moving the wall away from `side`; less than 0: towards it.
 };
 
 /// A tick's input to the stages.

@@ -62,7 +62,8 @@ void add_plainer_hands(const Trial& trial, std::vector<Trial>& out) {
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.coil, false); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].beats, false); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.paddle, false); });
-    add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.anvil, false); });
+    add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.anvil, 0.0); });
+    add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.swing, 1.0); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.roll, 0.0); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.handle, Vec3{}); });
     add_changed(trial, out, [n](Stroke& s) { return set(s.hand[n].begins.tool, std::uint8_t{0}); });

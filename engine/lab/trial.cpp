@@ -178,7 +178,10 @@ Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
     if (part.begins.coil) lay_coil(random, def, stroke, part);
     part.beats = def.beating && chance(random, 0.2);
     part.begins.paddle = part.beats;
-    if (part.beats) part.begins.anvil = chance(random, 0.6);
+    if (part.beats) {
+      part.begins.anvil = chance(random, 0.4) ? 0.0 : random.uniform();
+      part.begins.swing = chance(random, 0.5) ? 1.0 : random.uniform();
+    }
   }
   if (chance(random, 0.1)) stroke.water = !stroke.water;
   stroke.renew = chance(random, 0.03);

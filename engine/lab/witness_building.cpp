@@ -62,7 +62,7 @@ Beaten beaten(const BeatingDef& law, bool anvil) {
   hands.hand[0].position = on_first_ray(scene.clay(), row, kBeatenOut + 0.012);
   hands.hand[0].active = true;
   hands.hand[0].paddle = true;
-  hands.hand[0].anvil = anvil;
+  hands.hand[0].anvil = anvil ? 1.0 : 0.0;
   for (const bool blow : {false, true}) {
     hands.hand[0].blow = blow;
     scene.step(hands, 0.001);

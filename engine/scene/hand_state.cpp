@@ -15,6 +15,8 @@ bool plausible(Vec3 p) {
          std::fabs(p.z) <= kFarthestHand;
 }
 
+bool is_share(double v) { return v >= 0.0 && v <= 1.0; }
+
 }  // namespace
 
 std::vector<Tool> tools_of(const SceneDef& def) {
@@ -38,7 +40,7 @@ void HandState::leave() noexcept {
 
 bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept {
   const bool good = plausible(in.position) && plausible(in.handle) && std::isfinite(in.roll) &&
-                    in.tool < tools.size();
+                    is_share(in.swing) && is_share(in.anvil) && in.tool < tools.size();
   if (!good) guard.release();
   if (!good && !present) return false;
   const bool holds_coil = in.coil && !in.paddle;
@@ -68,7 +70,8 @@ bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep
   if (good) {
     strikes = paddle && in.blow && !blow;
     blow = paddle && in.blow;
-    anvil = in.anvil;
+    swing = paddle ? in.swing : 1.0;
+    anvil = paddle ? in.anvil : 0.0;
     if (!blow || strikes) struck = 0.0;
   }
   return good;
@@ -97,7 +100,12 @@ void HandState::add_to(StateHash& hash, std::span<const Tool> tools) const {
            static_cast<std::uint64_t>(contact.place()) << 4 | std::uint64_t{tool} << 8 |
            std::uint64_t{wire.drawing} << 16 | std::uint64_t{coil} << 17 |
            std::uint64_t{rests} << 18 | std::uint64_t{used_up} << 19 | std::uint64_t{blow} << 20 |
-           std::uint64_t{paddle} << 21 | std::uint64_t{paddle && anvil} << 22);
+           std::uint64_t{paddle} << 21 | std::uint64_t{anvil > 0.0} << 22);
+  // A full swing against a full anvil, or against none, is told by the bits.
+  if (swing < 1.0 || (anvil > 0.0 && anvil < 1.0)) {
+    hash.add(swing);
+    hash.add(anvil);
+  }
   if (struck > 0.0) hash.add(struck);
   if (tools[tool].shape->round()) return;  // round tools have no handle
   add(along);

@@ -33,9 +33,10 @@ struct HandState {
   bool rests = false;     // which lay on the rim in this tick,
   bool used_up = false;   // or is part of a ring, until the hand is on top of the rim again
   bool paddle = false;    // it holds a paddle,
-  bool anvil = false;     // against an anvil,
   bool blow = false;      // which was swung,
   bool strikes = false;   // in this tick,
+  double swing = 1.0;     // so hard,
+  double anvil = 0.0;     // against an anvil that came so hard (HandInput),
   double struck = 0.0;    // and hit the wall with so much force, N,
   Vec3 struck_out;        // and back that way
   ToolContact contact;

@@ -27,8 +27,10 @@ struct HandInput {
   /// It holds a paddle, and its tool presses nothing: the wall is firm for a ball at `position`.
   /// Only where the scene has BeatingDef; before a coil. A change lifts the hand.
   bool paddle = false;
-  bool anvil = false;  ///< Behind the wall an anvil is held against the paddle. Without one, a hand
-                       ///< on the other face holds the wall, as far as it reaches.
+  double anvil = 0.0;  ///< How hard an anvil behind the wall comes against the paddle: share of
+                       ///< BeatingDef::energy, 0..1. 0: there is none, and a hand on the other face
+                       ///< holds the wall, as far as it reaches.
+  double swing = 1.0;  ///< How hard the paddle strikes: share of the energy, 0..1.
   bool blow = false;   ///< The paddle strikes the wall in front of `position`, once, in the tick in
                        ///< which this becomes true, and lies there until it is false.
   friend bool operator==(const HandInput&, const HandInput&) = default;

@@ -67,18 +67,21 @@ void weigh(const Profile& target, const SceneDef& scene, ClayDef& lump) {
   lump.floor_thickness = std::max(lump.floor_thickness, lump.floor_min);
 }
 
-// The floor of a pot that is built of coils: a disc as wide as the target's foot.
+// The floor of a pot that is built of coils: a disc as wide as the target is halfway up it. On a
+// round foot the widest place would stand out as a step, and no hand can press a solid floor in.
 void beat_a_floor(const Profile& target, ClayDef& def) {
   const double row = def.height / def.rows;
-  def.height = def.floor_thickness = std::max(kBuiltFloor, def.floor_min);
+  def.height = def.floor_thickness = scene::built_floor(def);
   def.rows = std::max(kFewestRows, static_cast<int>(std::lround(def.height / row)));
   def.inner_radius = def.radius_min;
   const double least = def.radius_min + def.wall_min + 0.001;
   def.outer_radius =
-      std::clamp(widest_below(target, def.height), least, std::max(least, 0.95 * def.radius_max));
+      std::clamp(target.outer_at(0.5 * def.height), least, std::max(least, 0.95 * def.radius_max));
 }
 
 }  // namespace
+
+double scene::built_floor(const ClayDef& clay) { return std::max(kBuiltFloor, clay.floor_min); }
 
 double workspace_scale(const Profile& target, double max_height, double max_diameter) {
   return std::min(max_height / target.height(), max_diameter / (2.0 * target.max_radius()));

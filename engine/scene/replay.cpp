@@ -19,8 +19,8 @@ constexpr std::size_t kLongestId = 4096;
 constexpr unsigned kCoils = 3 * (kMaxHands + 1), kPaddles = kCoils + kMaxHands,
                    kBlows = kPaddles + kMaxHands, kBits = kBlows + kMaxHands;
 
-// All switches in 16 bits: three per hand, three for the potter, then coil, paddle and blow. A hand
-// with a paddle has no coil, so that bit says whether there is an anvil.
+// All switches in 16 bits: three per hand, three for the potter, then coil, paddle and blow. Before
+// kFirstSwings the coil's bit of a hand with a paddle said whether there is an anvil.
 std::uint16_t switches_of(const Hands& hands) {
   unsigned bits = 0;
   for (const HandInput& hand : hands.hand)
@@ -28,8 +28,7 @@ std::uint16_t switches_of(const Hands& hands) {
   bits =
       bits << 3 | unsigned{hands.water} << 2 | unsigned{hands.renew} << 1 | unsigned{hands.restore};
   for (std::size_t n = 0; n < hands.hand.size(); ++n)
-    bits |= unsigned{hands.hand[n].paddle ? hands.hand[n].anvil : hands.hand[n].coil}
-                << (kCoils + n) |
+    bits |= unsigned{hands.hand[n].coil} << (kCoils + n) |
             unsigned{hands.hand[n].paddle} << (kPaddles + n) |
             unsigned{hands.hand[n].blow} << (kBlows + n);
   return static_cast<std::uint16_t>(bits);
@@ -38,11 +37,9 @@ std::uint16_t switches_of(const Hands& hands) {
 bool put_switches(Hands& hands, std::uint16_t bits) {
   if (bits >= 1u << kBits) return false;
   for (std::size_t n = 0; n < hands.hand.size(); ++n) {
-    const bool first = (bits >> (kCoils + n) & 1u) != 0;
     HandInput& hand = hands.hand[n];
+    hand.coil = (bits >> (kCoils + n) & 1u) != 0;
     hand.paddle = (bits >> (kPaddles + n) & 1u) != 0;
-    hand.coil = first && !hand.paddle;
-    hand.anvil = first && hand.paddle;
     hand.blow = (bits >> (kBlows + n) & 1u) != 0;
   }
   hands.restore = (bits & 1u) != 0;
@@ -58,11 +55,25 @@ bool put_switches(Hands& hands, std::uint16_t bits) {
   return true;
 }
 
+void give_anvils(Hands& hands) {
+  for (HandInput& hand : hands.hand) {
+    hand.anvil = hand.paddle && hand.coil ? 1.0 : 0.0;
+    hand.coil = hand.coil && !hand.paddle;
+  }
+}
+
 // Compares bits, so that NaN equals itself and -0 differs from 0.
 bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 bool same(Vec3 a, Vec3 b) { return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z); }
+
+bool same_swings(const Hands& a, const Hands& b) {
+  for (std::size_t n = 0; n < a.hand.size(); ++n)
+    if (!same(a.hand[n].swing, b.hand[n].swing) || !same(a.hand[n].anvil, b.hand[n].anvil))
+      return false;
+  return true;
+}
 
 bool same_hold(const HandInput& a, const HandInput& b) {
   return a.tool == b.tool && same(a.handle, b.handle) && same(a.roll, b.roll);
@@ -88,6 +99,8 @@ bool tick_fields(Io&& io, std::uint8_t fields, TickRecord& r) {
   if ((fields & kTime) != 0) good = good && io(r.dt, 7);
   if ((fields & kHold0) != 0) good = good && hold(0, 8);
   if ((fields & kHold1) != 0) good = good && hold(1, 12);
+  for (std::size_t n = 0; (fields & kSwings) != 0 && n < r.hands.hand.size(); ++n)
+    good = good && io(r.hands.hand[n].swing, 16 + 2 * n) && io(r.hands.hand[n].anvil, 17 + 2 * n);
   return good;
 }
 
@@ -118,8 +131,8 @@ class ColumnFeed {
 constexpr const char* kBadTick = "A tick is damaged or cut short.";
 constexpr const char* kTooLong = "The replay is longer than an hour.";
 
-// What follows a replay's beginning. Null, or what is wrong.
-const char* read_columns_of(Reader& io, Replay& replay) {
+// What follows the beginning of a replay of `version`. Null, or what is wrong.
+const char* read_columns_of(Reader& io, std::uint32_t version, Replay& replay) {
   std::uint32_t notes = 0;
   if (!io.text(replay.glaze, kLongestId) || !io(replay.final_hash) || !io(notes))
     return "The replay's beginning is cut short or damaged.";
@@ -131,7 +144,7 @@ const char* read_columns_of(Reader& io, Replay& replay) {
     replay.notes.push_back(note);
   }
   Columns columns;
-  if (!read_columns(io, columns)) return kBadTick;
+  if (!read_columns(io, version, columns)) return kBadTick;
   if (columns.fields.size() > kMostTicks) return kTooLong;
   if (io.left() != 0) return "The replay's end is damaged.";
   if (!replay.notes.empty() && replay.notes.back().tick > columns.fields.size())
@@ -142,6 +155,7 @@ const char* read_columns_of(Reader& io, Replay& replay) {
   for (const std::uint8_t fields : columns.fields) {
     if (!tick_fields(feed, fields, last)) return kBadTick;
     replay.ticks.push_back(last);
+    if (version < kFirstSwings) give_anvils(replay.ticks.back().hands);
   }
   return nullptr;
 }
@@ -167,7 +181,7 @@ const char* read_rows_of(Reader& io, Replay& replay) {
       if (!io.text(replay.glaze, kLongestId)) return "The replay is cut short in a name.";
       continue;
     }
-    if ((tag & ~unsigned{kAllFields}) != 0 || !tick_fields(take, tag, last)) return kBadTick;
+    if ((tag & ~unsigned{kFieldsBefore}) != 0 || !tick_fields(take, tag, last)) return kBadTick;
     if (replay.ticks.size() == kMostTicks) return kTooLong;
     replay.ticks.push_back(last);
   }
@@ -197,6 +211,7 @@ void ReplayWriter::tick(const TickRecord& record) {
   if (!same(record.dt, last_.dt)) fields |= kTime;
   if (!same_hold(now.hand[0], then.hand[0])) fields |= kHold0;
   if (!same_hold(now.hand[1], then.hand[1])) fields |= kHold1;
+  if (!same_swings(now, then)) fields |= kSwings;
   last_ = record;
   columns_.fields.push_back(static_cast<std::uint8_t>(fields));
   const auto keep = [this]<class Value>(const Value& value, std::size_t n) {
@@ -250,7 +265,6 @@ Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string&
   if (body.empty())
     return malformed("The replay is damaged or cut short: its checksum is of other bytes.");
   Replay replay;
-  replay.earlier_laws = version < kLaws;
   std::string unknown;
   const bool read = read_scene(io, version, replay.def, unknown);
   if (!unknown.empty())
@@ -261,8 +275,9 @@ Result<Replay> Replay::read(std::span<const std::byte> bytes, const std::string&
   if (auto good = validate(replay.def); !good)
     return problem(name + ", " + good.error().where, good.error().what,
                    "The file is damaged: use a replay that this program wrote.");
+  replay.earlier_laws = version < kLaws || (version < kFirstSwings && replay.def.building);
   const char* const wrong =
-      version < kFirstColumns ? read_rows_of(io, replay) : read_columns_of(io, replay);
+      version < kFirstColumns ? read_rows_of(io, replay) : read_columns_of(io, version, replay);
   if (wrong != nullptr) return malformed(wrong);
   return replay;
 }

@@ -12,8 +12,10 @@ namespace onggi::replay_bytes {
 
 inline constexpr std::uint64_t kMagic = 0x59414c5049474e4fULL;  // "ONGIPLAY", little-endian
 /// Version of the format and of the clay's laws: a change of either raises it.
-inline constexpr std::uint32_t kVersion = 18;
-inline constexpr std::uint32_t kLaws = 18;  ///< The first version with today's laws of the clay.
+inline constexpr std::uint32_t kVersion = 19;
+inline constexpr std::uint32_t kLaws = 18;  ///< The first version with today's laws of the clay,
+/// and of coils. It has swings, too: before, a paddle struck fully, and an anvil as hard or not.
+inline constexpr std::uint32_t kFirstSwings = 19;
 /// The first version that has columns. Before, the fields that changed stood behind each tick.
 inline constexpr std::uint32_t kFirstColumns = 16;
 /// Oldest version that can be read (replay_scene.h).
@@ -29,7 +31,10 @@ enum Tag : std::uint8_t {
   kTime = 1u << 4,      // a double
   kHold0 = 1u << 5,     // a byte and four doubles: tool, handle and roll
   kHold1 = 1u << 6,     // likewise
-  kAllFields = kHand0 | kHand1 | kSwitches | kWheel | kTime | kHold0 | kHold1,
+  kSwings = 1u << 7,    // four doubles: swing and anvil of each hand; from kFirstSwings
+  kFieldsBefore = kHand0 | kHand1 | kSwitches | kWheel | kTime | kHold0 | kHold1,
+  kAllFields = kFieldsBefore | kSwings,
+  // Marks before kFirstColumns:
   kNote = 0x80,   // a hash of the state here
   kGlaze = 0x82,  // the glaze's id: its size and its letters
   kEnd = 0x81,    // the last hash, then the checksum of everything before

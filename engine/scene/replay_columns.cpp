@@ -78,8 +78,8 @@ std::size_t ticks_with(const Columns& columns, std::uint8_t field) {
 // The field that each number belongs to, in the order of replay.cpp.
 std::uint8_t field_of(std::size_t number) {
   constexpr std::array<std::uint8_t, kNumbers> kFields{
-      kHand0, kHand0, kHand0, kHand1, kHand1, kHand1, kWheel, kTime,
-      kHold0, kHold0, kHold0, kHold0, kHold1, kHold1, kHold1, kHold1};
+      kHand0, kHand0, kHand0, kHand1, kHand1, kHand1, kWheel,  kTime,   kHold0,  kHold0,
+      kHold0, kHold0, kHold1, kHold1, kHold1, kHold1, kSwings, kSwings, kSwings, kSwings};
   return kFields[number];
 }
 
@@ -125,12 +125,13 @@ void write_columns(Writer& io, const Columns& columns) {
   for (const auto& column : columns.numbers) write_numbers(io, column);
 }
 
-bool read_columns(Reader& io, Columns& columns) {
+bool read_columns(Reader& io, std::uint32_t version, Columns& columns) {
+  const unsigned known = version < kFirstSwings ? kFieldsBefore : kAllFields;
   std::uint32_t ticks = 0;
   if (!io(ticks) || ticks > io.left()) return false;
   columns.fields.resize(ticks);
   for (std::uint8_t& tag : columns.fields)
-    if (!io(tag) || (tag & ~unsigned{kAllFields}) != 0) return false;
+    if (!io(tag) || (tag & ~known) != 0) return false;
 
   // How long each column is follows from the ticks' fields.
   const std::size_t switched = ticks_with(columns, kSwitches);

@@ -11,7 +11,7 @@
 
 namespace onggi::replay_bytes {
 
-inline constexpr std::size_t kNumbers = 8 + 4 * kMaxHands;  ///< Doubles of a TickRecord.
+inline constexpr std::size_t kNumbers = 8 + 6 * kMaxHands;  ///< Doubles of a TickRecord.
 
 /// The hash of the scene's state after `tick` ticks.
 struct Note {
@@ -31,9 +31,9 @@ struct Columns {
 /// Writes `columns` so that a general packer finds little left in them (write_numbers()).
 void write_columns(Writer& io, const Columns& columns);
 
-/// False if the bytes end or if a tick has a field that does not exist. Allocates no more than the
-/// bytes can fill.
-bool read_columns(Reader& io, Columns& columns);
+/// False if the bytes end or if a tick has a field that `version` does not know. Allocates no more
+/// than the bytes can fill.
+bool read_columns(Reader& io, std::uint32_t version, Columns& columns);
 
 /// Writes doubles, given and restored by their bits (also NaN and -0). Each is guessed from the two
 /// before it: the last one, moved on by `rate` times the last move. The rate of a column stands

@@ -20,7 +20,8 @@ Times time_blows(int rows, int sectors, int blows) {
   Scene scene = std::move(*Scene::create(def));
   Hands hands;
   HandInput& hand = hands.hand[0];
-  hand.active = hand.paddle = hand.anvil = true;
+  hand.active = hand.paddle = true;
+  hand.anvil = 1.0;
   std::vector<double> ns;
   for (int n = 0; n < blows; ++n) {
     const double angle = 0.7 * n, height = 0.03 + 0.14 * n / blows;

@@ -73,7 +73,7 @@ std::uint64_t blows_hash(SceneDef def, Vectors kind) {
     hand.active = true;
     hand.paddle = n % 700 < 600;
     hand.blow = n % 90 > 60;
-    hand.anvil = n < 2000;
+    hand.anvil = n < 2000 ? 1.0 : 0.0;
     hand.position = {n < 3000 ? 0.064 : 0.022, 0.05 + 0.00002 * n, 0.003 * portable::sin(0.02 * n)};
     hands.hand[1] = {{0.026, 0.06 + 0.00002 * n, 0.0}, n % 700 > 500 && n < 3000, SideWish::inside};
     hands.restore = n == 3900;

@@ -41,7 +41,7 @@ HandInput paddle(double height = 0.06, double angle = 0.0, bool anvil = true) {
   const double out = kOuter + 0.012;
   hand.position = {out * portable::cos(angle), height, out * portable::sin(angle)};
   hand.active = hand.paddle = true;
-  hand.anvil = anvil;
+  hand.anvil = anvil ? 1.0 : 0.0;
   return hand;
 }
 

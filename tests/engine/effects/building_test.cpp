@@ -124,6 +124,48 @@ TEST(Building, NeitherTheTickNorTheGridDecidesHowMuchClayARingBrings) {
   EXPECT_NEAR(most, 1.0, 1e-6);
 }
 
+// A visitor's ring stayed open for 90 s: the rim had a notch in which no coil rested.
+TEST(Building, AGapNarrowerThanTheCoilClosesAndAWiderOneStaysOpen) {
+  const SceneDef def = bench(12, 128);
+  const double coil = def.building->coil, radius = 0.035;
+  for (const double gap : {0.8, 1.5}) {
+    Scene scene = made(def);
+    const double floor = scene.clay().volume();
+    go_round(scene, radius, 1.0 - gap * coil / (2.0 * portable::kPi * radius));
+    wait(scene, 0.5);
+    if (gap < 1.0) {
+      EXPECT_EQ(laid_sectors(scene), 0);
+      EXPECT_NEAR((scene.clay().volume() - floor) / ring(def, radius), 1.0, 1e-6) << "a whole ring";
+    } else {
+      EXPECT_GT(laid_sectors(scene), 64);
+      EXPECT_LT(laid_sectors(scene), 128);
+    }
+  }
+}
+
+TEST(Building, AGapClosesBetweenItsEndsAndIsTakenBackWithThem) {
+  SceneDef def = bench(12, 128);
+  def.clay.keep_undo = true;
+  Scene scene = made(def);
+  const double coil = def.building->coil;
+  go_round(scene, 0.030, 0.25);
+  wait(scene, 1.0);
+  // The next piece begins 0.7 coils farther on and 6 mm farther out.
+  const double from = 2.0 * portable::kPi * (0.25 + 0.7 * coil / (2.0 * portable::kPi * 0.030));
+  go_round(scene, 0.036, 0.1, 1.0, 0.001, from);
+  const CoilView laid = scene.coil();
+  const auto at = [&](double turn) {
+    return double{laid.centre[static_cast<std::size_t>(turn * 128)]};
+  };
+  const double middle = 0.25 + 0.35 * coil / (2.0 * portable::kPi * 0.030);
+  EXPECT_GT(at(middle), 0.0315);
+  EXPECT_LT(at(middle), 0.0345);
+  const int all = laid_sectors(scene);
+  wait(scene, 0.5);
+  undo(scene);
+  EXPECT_NEAR(laid_sectors(scene), 32, 2) << "of " << all;
+}
+
 TEST(Building, ARimThatPassesTooFastTakesNoCoil) {
   SceneDef def = bench();
   def.building->pace = 0.1;

@@ -37,7 +37,8 @@ TEST(Lump, IsAsTallAsTheTargetHasRoomForAFingerAndIsClearlyAnotherShape) {
   }
 }
 
-TEST(Lump, OfAPotThatIsBuiltIsAFloorAsWideAsTheVesselsFoot) {
+// On a rounded foot the floor's widest place would stand out over the line as a step.
+TEST(Lump, OfAPotThatIsBuiltIsAFloorAsWideAsTheVesselIsHalfwayUpIt) {
   for (const auto& [name, drawn] : vessels::all()) {
     const Profile target = scaled(drawn, workspace_scale(drawn));
     SceneDef def;
@@ -49,8 +50,7 @@ TEST(Lump, OfAPotThatIsBuiltIsAFloorAsWideAsTheVesselsFoot) {
     const Profile floor = Scene::create(def)->clay().profile();
     EXPECT_NEAR(floor.height(), 0.010, 1e-6) << name;
     EXPECT_NEAR(floor.floor_height(), 0.010, 1e-6) << name << ": solid";
-    EXPECT_GE(floor.max_radius(), target.outer_at(0.0) - 1e-6) << name;
-    EXPECT_LE(floor.max_radius(), target.max_radius() + 1e-6) << name;
+    EXPECT_NEAR(floor.max_radius(), target.outer_at(0.005), 1e-6) << name;
     EXPECT_NEAR(def.clay.height / def.clay.rows, row, 0.2 * row) << name << ": rows stay as fine";
   }
 }

@@ -124,25 +124,31 @@ TEST(ReplayNumbers, AnyRateIsRead) {
   }
 }
 
-TEST(ReplayColumns, CutOnesAndAFieldThatDoesNotExistAreRefused) {
+TEST(ReplayColumns, CutOnesAndAFieldThatTheirVersionDoesNotKnowAreRefused) {
   Columns columns;
   columns.fields = {0, kHand0, 0};
   for (std::size_t n = 0; n < 3; ++n) columns.numbers[n] = bits_of({0.5});
   Bytes bytes;
   Writer writer(bytes);
   write_columns(writer, columns);
-  const auto good = [](const Bytes& all) {
+  const auto good = [](const Bytes& all, std::uint32_t version = kVersion) {
     Reader io(all);
     Columns back;
-    return read_columns(io, back);
+    return read_columns(io, version, back);
   };
   EXPECT_TRUE(good(bytes));
   for (std::size_t n = 0; n < bytes.size(); ++n) {
     const Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(n));
     EXPECT_FALSE(good(cut)) << n;
   }
-  bytes[4] = std::byte{kAllFields + 1};
-  EXPECT_FALSE(good(bytes));
+  EXPECT_TRUE(good(bytes, kFirstSwings - 1));
+  columns = {};
+  columns.fields = {kSwings};
+  for (std::size_t n = kNumbers - 4; n < kNumbers; ++n) columns.numbers[n] = bits_of({0.5});
+  bytes.clear();
+  write_columns(writer, columns);
+  EXPECT_TRUE(good(bytes));
+  EXPECT_FALSE(good(bytes, kFirstSwings - 1)) << "a field that came later";
 }
 
 }  // namespace

@@ -89,6 +89,25 @@ TEST(ReplayScene, AFileOfRowsAndOneOfColumnsHoldTheSameVisitAndPlayToTheSamePot)
   EXPECT_EQ(pots[0], pots[1]);
 }
 
+// Written by the last engine of version 18, where an anvil was there or not, and its bit was that
+// of a coil: 900 ticks of one that is held and laid nowhere, and of blows with an anvil, without
+// one, with a hand behind the wall, and from inside.
+TEST(ReplayScene, APaddleOfBeforeStrikesAsItDidFullyAndAgainstAnAnvilOrNone) {
+  const Result<Replay> replay = Replay::read(file("version_18.onggi"), "old");
+  ASSERT_TRUE(replay) << to_text(replay.error());
+  EXPECT_TRUE(replay->ticks[100].hands.hand[0].coil);
+  EXPECT_EQ(replay->ticks[100].hands.hand[0].anvil, 0.0);
+  EXPECT_EQ(replay->ticks[300].hands.hand[0].anvil, 1.0);
+  EXPECT_EQ(replay->ticks[300].hands.hand[0].swing, 1.0);
+  EXPECT_FALSE(replay->ticks[300].hands.hand[0].coil);
+  EXPECT_EQ(replay->ticks[400].hands.hand[0].anvil, 0.0);
+  EXPECT_TRUE(replay->earlier_laws) << "gaps of coils close since";
+  const Result<ReplayOutcome> outcome = run_replay(*replay);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->first_difference_tick, -1);
+  EXPECT_EQ(outcome->replayed_hash, 0x08ad5dd38d3ca771u);
+}
+
 // A replay of no tick, with its seal taken off.
 Bytes written(const SceneDef& def) {
   ReplayWriter writer(def, "moon_jar", 3);

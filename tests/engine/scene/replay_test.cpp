@@ -45,10 +45,11 @@ TickRecord random_tick(Random& random, TickRecord r) {
     if (random.uniform() < 0.05) hand.tool = static_cast<std::uint8_t>(random.bits() % 9);
     if (random.uniform() < 0.05) hand.handle = {random.uniform(-1, 1), random.uniform(-1, 1), 0.0};
     if (random.uniform() < 0.02) hand.roll = odd_number(random);
-    for (bool* held : {&hand.coil, &hand.paddle, &hand.blow, &hand.anvil})
+    for (bool* held : {&hand.coil, &hand.paddle, &hand.blow})
       if (random.uniform() < 0.05) *held = !*held;
-    hand.coil = hand.coil && !hand.paddle;
-    hand.anvil = hand.anvil && hand.paddle;
+    for (double* share : {&hand.anvil, &hand.swing})
+      if (random.uniform() < 0.05) *share = random.uniform();
+    if (random.uniform() < 0.01) hand.swing = odd_number(random);
   }
   if (random.uniform() < 0.1) r.hands.wheel_speed = random.uniform(-30, 30);
   if (random.uniform() < 0.1) r.hands.water = !r.hands.water;
@@ -90,7 +91,8 @@ bool same_bits(const TickRecord& a, const TickRecord& b) {
     if (!same_bits(one.position, other.position) || !same_bits(one.handle, other.handle) ||
         !same_bits(one.roll, other.roll) || one.active != other.active || one.side != other.side ||
         one.tool != other.tool || one.coil != other.coil || one.blow != other.blow ||
-        one.paddle != other.paddle || one.anvil != other.anvil)
+        one.paddle != other.paddle || !same_bits(one.anvil, other.anvil) ||
+        !same_bits(one.swing, other.swing))
       return false;
   }
   return same_bits(a.dt, b.dt) && same_bits(a.hands.wheel_speed, b.hands.wheel_speed) &&
