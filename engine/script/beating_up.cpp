@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/clay/clay.h"
 #include "engine/effects/beating.h"
 #include "engine/math/portable.h"
 #include "engine/script/keyed.h"
@@ -11,26 +10,28 @@
 namespace onggi::script {
 namespace {
 
-constexpr double kBeatingSpeed = 2.0;  // rad/s at pace 1
-constexpr double kBeat = 0.4;          // s at pace 1, from blow to blow
-constexpr double kLies = 0.15;         // s at pace 1: how long the paddle stays on the wall
-constexpr double kToSpeed = 1.0;       // s
-constexpr double kSwing = 0.03;        // m: how far the paddle is drawn back
+constexpr double kBeat = 0.34;     // s at pace 1, from blow to blow, as visitors' paddles
+constexpr double kLies = 0.12;     // s at pace 1: how long the paddle stays on the wall
+constexpr double kToSpeed = 1.0;   // s
+constexpr double kSwing = 0.03;    // m: how far the paddle is drawn back
 constexpr double kAway = 0.001;    // m between the hand's ball and the wall as the paddle strikes
 constexpr double kBand = 1.0;      // faces that the paddle goes up in a turn of the wheel
 constexpr double kLeast = 3.0;     // turns: a pot that is built begins as a low floor
-constexpr double kFromFoot = 0.5;  // faces above the floor
+constexpr double kFromFoot = 0.2;  // faces above the floor
+constexpr double kFromRim = 0.15;  // faces below the rim
+
+const BeatingDef& law_of(const SceneDef& scene) {
+  static const BeatingDef kUsual;
+  return scene.beating ? *scene.beating : kUsual;
+}
 
 class BeatingUp final : public Script {
  public:
   explicit BeatingUp(const ScriptContext& context)
-      : face_((context.scene.beating ? *context.scene.beating : BeatingDef{}).face),
-        ball_(context.scene.tool.radius),
-        wheel_(std::min(kBeatingSpeed * context.pace, context.scene.wheel.max_speed)),
-        beat_(kBeat / context.pace),
-        lies_(kLies / context.pace) {
-    const double turns = std::max(kLeast, context.scene.clay.height / (kBand * face_));
-    works_ = turns * 2.0 * portable::kPi / std::max(wheel_, 0.1);
+      : paddle_(context.scene, context.pace, nullptr),
+        wheel_(std::min(PaddleUp::kSpeed * context.pace, context.scene.wheel.max_speed)) {
+    const double bands = context.scene.clay.height / (kBand * law_of(context.scene).face);
+    works_ = std::max(kLeast, bands) * 2.0 * portable::kPi / std::max(wheel_, 0.1);
   }
 
   Hands at(double t, const Clay& clay) noexcept override {
@@ -38,24 +39,7 @@ class BeatingUp final : public Script {
     hands.wheel_speed = wheel_;
     const double since = t - kToSpeed;
     if (since < 0.0 || t >= duration()) return hands;
-    const double lowest = clay.floor_top() + kFromFoot * face_;
-    const double highest = std::max(lowest, clay.rim_height() - 0.5 * face_);
-    const double height = lowest + (highest - lowest) * since / works_;
-    const double within = std::fmod(since, beat_);
-    // Drawn back, then on the wall.
-    const double back =
-        within < lies_
-            ? 0.0
-            : 0.5 - 0.5 * portable::cos(2.0 * portable::kPi * (within - lies_) / (beat_ - lies_));
-    const int row = std::clamp(clay.first_row_above(height), 0, clay.rows() - 1);
-    const double out =
-        double{*std::ranges::max_element(clay.outer(row))} + ball_ + kAway + kSwing * back;
-    HandInput& hand = hands.hand[0];
-    hand.position = {out * portable::cos(kHandAngle), height, out * portable::sin(kHandAngle)};
-    hand.active = true;
-    hand.paddle = true;
-    hand.blow = within < lies_;
-    hand.anvil = true;
+    hands.hand[0] = paddle_.at(since, since / works_, clay);
     return hands;
   }
 
@@ -63,12 +47,47 @@ class BeatingUp final : public Script {
   std::string_view phase(double t) const override { return t < kToSpeed ? "wheel" : "beat"; }
 
  private:
-  double face_, ball_, wheel_;
-  double beat_, lies_;  // s
+  PaddleUp paddle_;
+  double wheel_;
   double works_ = 0.0;  // s
 };
 
 }  // namespace
+
+PaddleUp::PaddleUp(const SceneDef& scene, double pace, const RingPlan* plan)
+    : face_(law_of(scene).face),
+      ball_(scene.tool.radius),
+      beat_(kBeat / pace),
+      lies_(kLies / pace),
+      plan_(plan) {}
+
+HandInput PaddleUp::at(double t, double share, const Clay& clay) noexcept {
+  const double lowest = clay.floor_top() + kFromFoot * face_;
+  const double highest = std::max(lowest, clay.rim_height() - kFromRim * face_);
+  const double within = std::fmod(t, beat_);
+  const bool lies = within < lies_;
+  if (lies && !lay_) {
+    height_ = lowest + (highest - lowest) * share;
+    swings_ = plan_ != nullptr ? plan_->swings(clay, height_, std::nullopt) : Swings{};
+  }
+  lay_ = lies;
+  // Drawn back, then on the wall.
+  const double back =
+      lies ? 0.0
+           : 0.5 - 0.5 * portable::cos(2.0 * portable::kPi * (within - lies_) / (beat_ - lies_));
+  const double height = lies ? height_ : lowest + (highest - lowest) * share;
+  const int row = std::clamp(clay.first_row_above(height), 0, clay.rows() - 1);
+  const double out =
+      double{*std::ranges::max_element(clay.outer(row))} + ball_ + kAway + kSwing * back;
+  HandInput hand;
+  hand.position = {out * portable::cos(kHandAngle), height, out * portable::sin(kHandAngle)};
+  hand.active = true;
+  hand.paddle = true;
+  hand.blow = lies;
+  hand.swing = swings_.paddle;
+  hand.anvil = swings_.anvil;
+  return hand;
+}
 
 std::unique_ptr<Script> beat_wall(const ScriptContext& context, const ToolInHand&) {
   return std::make_unique<BeatingUp>(context);

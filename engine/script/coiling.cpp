@@ -1,111 +1,193 @@
 #include "engine/script/coiling.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
 #include "engine/clay/clay.h"
 #include "engine/effects/building.h"
 #include "engine/math/portable.h"
+#include "engine/script/beating_up.h"
 #include "engine/script/keyed.h"
+#include "engine/script/ring_plan.h"
 
 namespace onggi::script {
 namespace {
 
 constexpr int kRingsLaid = 5;
 constexpr double kRimSpeed = 0.06;    // m/s at pace 1: a ring of a small jar takes five seconds
-constexpr double kBuildSpeed = 0.15;  // m/s: a jar of 16 rings in a minute
-constexpr double kMostOfARing = 0.6;  // coils: where less is missing, no ring is laid
+constexpr double kBuildSpeed = 0.25;  // m/s
 constexpr double kOnTop = 0.0005;     // m inside the wall's edge
 constexpr double kTurns = 1.1;        // over a ring: the wheel has a little to spare
 constexpr double kSpinUp = 1.0;       // s
 constexpr double kBetween = 0.8;      // s at pace 1, from one ring to the next
 constexpr double kAbove = 0.04;       // m: where the hand waits
 constexpr double kPressed = 0.0005;   // m: how deep the coil rests on the rim
+constexpr int kWays = 4;              // that the paddle goes up or down a vessel, at most
+constexpr double kWay = 16.0;         // s at pace 1
 
-class Coiling final : public Script {
+// A hand that lays ring on ring, and how long each takes.
+class CoilUp {
  public:
-  /// `target`: the vessel whose line the rings follow; null: five rings, one on the other.
-  Coiling(const ScriptContext& context, const Profile* target)
-      : coil_((context.scene.building ? *context.scene.building : BuildingDef{}).coil),
-        between_(kBetween / context.pace) {
-    const BuildingDef law = context.scene.building ? *context.scene.building : BuildingDef{};
-    const ClayDef& lump = context.scene.clay;
-    double rim = std::max(lump.outer_radius, coil_);
-    double speed = kRimSpeed;
-    if (target != nullptr) {
-      target_ = *target;
-      rim = std::max(rim, target->max_radius());
-      speed = kBuildSpeed;
-      const double ring = effects::Building::ring_height(law, lump);
-      rings_ = static_cast<int>(std::ceil(std::max(target->height() - lump.height, 0.0) / ring));
-    }
-    speed = std::min(speed * context.pace, 0.8 * law.pace);
-    wheel_ = std::min(speed / rim, context.scene.wheel.max_speed);
-    const double turn = wheel_ > 0.0 ? 2.0 * portable::kPi / wheel_ : 1.0;
-    ring_ = kTurns * turn + between_;
+  /// `radius` (m): of the widest ring. `speed`: of the rim under the hand, m/s at pace 1.
+  CoilUp(const ScriptContext& context, double radius, double speed)
+      : coil_(law_of(context.scene).coil), between_(kBetween / context.pace) {
+    speed = std::min(speed * context.pace, 0.8 * law_of(context.scene).pace);
+    wheel_ = std::min(speed / std::max(radius, coil_), context.scene.wheel.max_speed);
+    ring_ = kTurns * (wheel_ > 0.0 ? 2.0 * portable::kPi / wheel_ : 1.0) + between_;
   }
 
-  Hands at(double t, const Clay& clay) noexcept override {
-    Hands hands;
-    hands.wheel_speed = wheel_;
-    const double since = t - kSpinUp;
-    if (since < 0.0 || t >= duration()) return hands;
-    const double within = std::fmod(since, ring_);
-    if (within < between_) rim_ = clay.rim_height();
-    const bool closed = clay.rim_height() > rim_ + 0.5 * coil_ || high_enough(clay);
-    const double out = place(clay);
-    const double down = closed ? 0.0 : std::min(1.0, within / between_);
-    const double up = kAbove * (1.0 - down);
-    const double height = clay.rim_height() + 0.5 * coil_ - kPressed + up;
-    hands.hand[0].position = {out * portable::cos(kHandAngle), height,
-                              out * portable::sin(kHandAngle)};
-    hands.hand[0].active = true;
-    hands.hand[0].coil = true;
-    return hands;
+  double wheel() const { return wheel_; }  ///< rad/s
+  double ring() const { return ring_; }    ///< s
+
+  /// `t` s after the first call. True as the first ring begins, and as one has closed.
+  bool begins(double t, const Clay& clay) noexcept {
+    // A wet wall sags meanwhile.
+    const bool rose = clay.rim_height() > rim_ + 0.5 * coil_;
+    rim_ = rose ? clay.rim_height() : std::min(rim_, clay.rim_height());
+    if (rose) began_ = t;
+    return rose;
+  }
+  /// `wanted`: where the coil's middle belongs, m from the axis. The hand waits above unless it
+  /// `lays`.
+  HandInput at(double t, bool lays, double wanted, const Clay& clay) const noexcept {
+    const double down = lays ? std::min(1.0, (t - began_) / between_) : 0.0;
+    const double out = on_rim(wanted, clay);
+    HandInput hand;
+    hand.position = {out * portable::cos(kHandAngle),
+                     clay.rim_height() + 0.5 * coil_ - kPressed + kAbove * (1.0 - down),
+                     out * portable::sin(kHandAngle)};
+    hand.active = true;
+    hand.coil = true;
+    return hand;
+  }
+  /// The hand comes down for the next ring.
+  bool comes_down(double t) const { return t - began_ < between_; }
+  /// Above the middle of the rim, or at the edge of a lump that is solid to the top.
+  double middle_of_rim(const Clay& clay) const {
+    const int top = clay.rows() - 1;
+    const double outer = double{clay.outer(top)[0]}, inner = double{clay.inner(top)[0]};
+    return inner > 0.0 ? 0.5 * (outer + inner) : outer - 0.5 * coil_;
   }
 
-  double duration() const override { return kSpinUp + rings_ * ring_; }
-
-  std::string_view phase(double t) const override {
-    if (t < kSpinUp) return "wheel";
-    return std::fmod(t - kSpinUp, ring_) < between_ ? "next" : "lay";
+  static const BuildingDef& law_of(const SceneDef& scene) {
+    static const BuildingDef kUsual;
+    return scene.building ? *scene.building : kUsual;
   }
 
  private:
-  bool high_enough(const Clay& clay) const {
-    return target_ && clay.rim_height() + kMostOfARing * coil_ >= target_->height();
-  }
-  // Above the middle of the rim, or at the edge of a lump that is solid to the top; or where the
-  // next ring's outer face is on the vessel's line, as far as it can rest on the wall.
-  double place(const Clay& clay) const {
+  // As far as a coil can rest on the wall. A solid floor bears it everywhere.
+  double on_rim(double wanted, const Clay& clay) const {
     const int top = clay.rows() - 1;
     const double outer = double{clay.outer(top)[0]}, inner = double{clay.inner(top)[0]};
-    const double middle = inner > 0.0 ? 0.5 * (outer + inner) : outer - 0.5 * coil_;
-    if (!target_) return middle;
-    const double least = inner > 0.0 ? inner + kOnTop : outer - coil_, most = outer - kOnTop;
-    const double wanted =
-        target_->outer_at(std::min(clay.rim_height() + coil_, target_->height())) - 0.5 * coil_;
-    return least < most ? std::clamp(wanted, least, most) : middle;
+    const double least = inner > 0.0 ? inner + kOnTop : 0.5 * coil_, most = outer - kOnTop;
+    return least < most ? std::clamp(wanted, least, most) : middle_of_rim(clay);
   }
 
   double coil_, between_;
-  std::optional<Profile> target_;
-  int rings_ = kRingsLaid;
   double wheel_ = 0.0;
-  double ring_ = 0.0;  // s
-  double rim_ = 0.0;   // m, before this ring
+  double ring_ = 0.0;   // s
+  double rim_ = -1.0;   // m, of this ring; none yet
+  double began_ = 0.0;  // s
+};
+
+// Five rings, one on the other.
+class Coiling final : public Script {
+ public:
+  explicit Coiling(const ScriptContext& context)
+      : coil_(context, context.scene.clay.outer_radius, kRimSpeed) {}
+
+  Hands at(double t, const Clay& clay) noexcept override {
+    Hands hands;
+    hands.wheel_speed = coil_.wheel();
+    const double since = t - kSpinUp;
+    if (since < 0.0 || t >= duration()) return hands;
+    if (coil_.begins(since, clay)) ++begun_;
+    hands.hand[0] = coil_.at(since, begun_ <= kRingsLaid, coil_.middle_of_rim(clay), clay);
+    return hands;
+  }
+  double duration() const override { return kSpinUp + kRingsLaid * coil_.ring(); }
+  std::string_view phase(double t) const override {
+    if (t < kSpinUp) return "wheel";
+    return coil_.comes_down(t - kSpinUp) ? "next" : "lay";
+  }
+
+ private:
+  CoilUp coil_;
+  int begun_ = 0;
+};
+
+// A vessel: rings by its plan, and then blows.
+class BuildingUp final : public Script {
+ public:
+  explicit BuildingUp(const ScriptContext& context)
+      : plan_(*context.target, context.scene.clay.height, CoilUp::law_of(context.scene),
+              context.scene.beating),
+        coil_(context, std::max(context.scene.clay.outer_radius, context.target->max_radius()),
+              kBuildSpeed),
+        paddle_(context.scene, context.pace, &plan_),
+        beating_wheel_(std::min(PaddleUp::kSpeed * context.pace, context.scene.wheel.max_speed)),
+        way_(kWay / context.pace),
+        rings_(plan_.rings()) {}
+
+  Hands at(double t, const Clay& clay) noexcept override {
+    Hands hands;
+    const double since = t - kSpinUp;
+    if (since >= 0.0 && since >= laid_by() && beats_from_ < 0.0) beats_from_ = since + kSpinUp;
+    const double beats = beats_from_ < 0.0 ? -1.0 : since - beats_from_;
+    hands.wheel_speed = beats_from_ < 0.0 ? coil_.wheel() : beating_wheel_;
+    if (since < 0.0 || t >= duration() || done_) return hands;
+    if (beats_from_ < 0.0) {
+      if (coil_.begins(since, clay)) {
+        lacks_ = plan_.lacks_a_ring(clay);
+        wanted_ = plan_.next_ring(clay);
+      }
+      hands.hand[0] = coil_.at(since, lacks_, wanted_, clay);
+      if (!lacks_) beats_from_ = since + kSpinUp;
+    } else if (beats >= 0.0 && plan_.beats()) {
+      const auto way = static_cast<int>(beats / way_);
+      const double share = beats / way_ - way;
+      if (way != way_now_) {
+        way_now_ = way;
+        done_ = way >= kWays || !plan_.to_beat(clay);
+      }
+      hands.hand[0] = paddle_.at(beats, way % 2 == 0 ? share : 1.0 - share, clay);
+    }
+    return hands;
+  }
+
+  double duration() const override {
+    return kSpinUp + laid_by() + (plan_.beats() ? kSpinUp + kWays * way_ : 0.0);
+  }
+  std::string_view phase(double t) const override {
+    const double since = t - kSpinUp;
+    if (since < 0.0) return "wheel";
+    if (beats_from_ >= 0.0 && since >= beats_from_) return "beat";
+    return coil_.comes_down(since) ? "next" : "lay";
+  }
+
+ private:
+  // s from the first ring on
+  double laid_by() const { return rings_ * coil_.ring(); }
+
+  RingPlan plan_;
+  CoilUp coil_;
+  PaddleUp paddle_;
+  double beating_wheel_, way_;  // rad/s, s
+  int rings_;
+  bool lacks_ = false, done_ = false;
+  double wanted_ = 0.0;       // m from the axis
+  double beats_from_ = -1.0;  // s; less than 0: rings are laid
+  int way_now_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<Script> lay_rings(const ScriptContext& context, const ToolInHand&) {
-  return std::make_unique<Coiling>(context, nullptr);
+  return std::make_unique<Coiling>(context);
 }
 
 std::unique_ptr<Script> build_up(const ScriptContext& context, const ToolInHand&) {
-  return std::make_unique<Coiling>(context, context.target);
+  return std::make_unique<BuildingUp>(context);
 }
 
 bool coils_come_near(const Profile& target, double coil) {

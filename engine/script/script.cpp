@@ -95,7 +95,7 @@ constexpr ScriptInfo kScripts[] = {
      plays<draw_and_even>},
     {"coil_up", "lay five rings of coil on the rim, the wheel slow", {}, "building", lay_rings},
     {"build",
-     "build a vessel of rings of coil, up its own outline",
+     "build a vessel of rings of coil, and beat it out where the scene beats",
      {.target = true},
      "building",
      build_up},
