@@ -11,10 +11,11 @@ namespace {
 
 // Stroke speed on a screen 1280 wide, pixels a second: careful, usual, hurried.
 constexpr double kSpeeds[] = {60, 150, 400};
-constexpr double kEase = 0.25;   // s from rest to full speed, and back
-constexpr double kTremor = 9.0;  // Hz
-// S between a hint for the other side and the touch of its button
-constexpr double kReadHint = 1.5;
+constexpr double kEase = 0.25;     // s from rest to full speed, and back
+constexpr double kTremor = 9.0;    // Hz
+constexpr double kReadHint = 1.5;  // s from a hint to the touch of the button that it asks for
+constexpr double kNotices = 0.8;   // s until a hand at work follows another hint
+constexpr double kEnough = 3.0;    // s until they believe that the wall is good
 
 InputEvent event(InputEvent::Kind kind, double x, double y) {
   InputEvent e;
@@ -127,7 +128,52 @@ void NaiveHands::scrub(const screens::WheelSnapshot& sight, double height) {
   begin_stroke(std::move(path), hand_speed());
 }
 
+/// Holds nearly still on the rim. The wheel does the rest.
+void NaiveHands::lay(const screens::WheelSnapshot& sight) {
+  if (random_.uniform() < 0.12) side_ = -side_;
+  const Point rim = clay_at(sight, sight.made->height());
+  const double seconds = random_.uniform(3, 9);
+  std::vector<Point> path{
+      {rim.x + random_.uniform(-12, 6) * side_ * scale_, rim.y + random_.uniform(-10, 6) * scale_}};
+  path.push_back(
+      {path[0].x + random_.uniform(-8, 8) * scale_, path[0].y + random_.uniform(-6, 2) * scale_});
+  begin_stroke(path, 1.0);
+  speed_ = std::max(length_, 1.0) / seconds;
+}
+
+/// Up or down the wall, slowly: on the near face of the pot, between its middle and its side.
+void NaiveHands::beat(const screens::WheelSnapshot& sight) {
+  if (random_.uniform() < 0.12) side_ = -side_;
+  const double height = sight.made->height();
+  const bool up = random_.uniform() < 0.7;
+  double low = random_.uniform(0.0, 0.3), high = low + random_.uniform(0.4, 0.7);
+  if (sight.hint.press && random_.uniform() < 0.6) {  // at the arrow
+    low = sight.hint.press->height / height - random_.uniform(0.0, 0.15);
+    high = sight.hint.press->height / height + random_.uniform(0.0, 0.15);
+  }
+  const double across = random_.uniform(0.3, 0.95);
+  const auto middle = sight.camera.project({0.0, 0.5 * height, 0.0});
+  std::vector<Point> path;
+  constexpr int kPoints = 12;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double share = 1.0 * i / kPoints;
+    Point p = clay_at(
+        sight, std::clamp(low + (up ? share : 1.0 - share) * (high - low), 0.0, 1.0) * height);
+    if (middle) p.x = middle->first + across * (p.x - middle->first);
+    path.push_back(p);
+  }
+  begin_stroke(std::move(path), 60 * scale_);
+  speed_ = length_ / random_.uniform(5, 14);
+}
+
 void NaiveHands::choose(const screens::WheelSnapshot& sight) {
+  works_by_.clear();
+  const std::string& key = sight.hint.key;
+  if (key == "hint.lay_coil" || key == "hint.beat" || key == "hint.beaten") {
+    works_by_ = key;
+    changed_since_ = -1;
+    return key == "hint.lay_coil" ? lay(sight) : beat(sight);
+  }
   const double height = sight.target->height();
   const double u = random_.uniform();
   if (random_.uniform() < 0.12) side_ = -side_;
@@ -182,6 +228,30 @@ NaiveHands::Point NaiveHands::tremble(double dt) {
   return {shake_.x + wander_.x, shake_.y + wander_.y};
 }
 
+/// The button that a hint asks for, some time after it came; empty: none yet.
+std::string NaiveHands::asked_for(double now, const screens::WheelSnapshot& sight) {
+  const std::string& key = sight.hint.key;
+  const bool in = key == "hint.go_inside", good = key == "hint.beaten";
+  const bool asks = in || key == "hint.go_outside" || !sight.tool.empty() || good;
+  if (!asks || key != asked_key_) {
+    asked_since_ = asks ? now : -1;
+    asked_key_ = key;
+    return {};
+  }
+  if (now - asked_since_ <= (good ? kEnough : kReadHint) || random_.uniform() >= 0.7) return {};
+  asked_since_ = now;
+  wait_until_ = now + random_.uniform(0.6, 1.2);  // the way to the button and back
+  if (good) return finish();
+  if (sight.tool.empty()) return in ? "throw.inside" : "throw.outside";
+  tray_open_ = !tray_open_;
+  return tray_open_ ? "throw.tools" : sight.tool;
+}
+
+std::string NaiveHands::finish() {
+  done_ = true;
+  return "throw.done";
+}
+
 NaiveHands::Move NaiveHands::step(double now, const screens::WheelSnapshot& sight, int width) {
   Move move;
   const double dt = std::clamp(now - last_, 0.0, 0.1);
@@ -193,27 +263,20 @@ NaiveHands::Move NaiveHands::step(double now, const screens::WheelSnapshot& sigh
 
   if (path_.empty()) {
     if (now > seconds_) {
-      done_ = true;
-      move.control = "throw.done";
+      move.control = finish();
       return move;
     }
     if (now < wait_until_) return move;
-    const bool in = sight.hint.key == "hint.go_inside";
-    const bool other = in || sight.hint.key == "hint.go_outside";
-    if (!other)
-      wrong_side_since_ = -1;
-    else if (wrong_side_since_ < 0)
-      wrong_side_since_ = now;
-    if (other && now - wrong_side_since_ > kReadHint && random_.uniform() < 0.7) {
-      wrong_side_since_ = -1;
-      wait_until_ = now + random_.uniform(0.6, 1.2);  // the way to the button and back
-      move.control = in ? "throw.inside" : "throw.outside";
-      return move;
-    }
+    move.control = asked_for(now, sight);
+    if (!move.control.empty()) return move;
     choose(sight);
     if (path_.empty()) return move;
   }
 
+  if (!works_by_.empty() && sight.hint.key != works_by_) {
+    if (changed_since_ < 0) changed_since_ = now;
+    if (now - changed_since_ > kNotices) along_ = length_;
+  }
   // Slower at both ends, as hands are.
   const double ease =
       std::max(0.15, std::min(1.0, std::min(along_, length_ - along_) / (speed_ * kEase) + 0.15));

@@ -40,6 +40,10 @@ class NaiveHands {
   void push(const screens::WheelSnapshot& sight, double height, bool inward);
   void poke(const screens::WheelSnapshot& sight, double height);
   void scrub(const screens::WheelSnapshot& sight, double height);
+  void lay(const screens::WheelSnapshot& sight);
+  void beat(const screens::WheelSnapshot& sight);
+  std::string asked_for(double now, const screens::WheelSnapshot& sight);
+  std::string finish();
   void begin_stroke(std::vector<Point> path, double speed);
   Point line_at(const screens::WheelSnapshot& sight, double height) const;
   Point clay_at(const screens::WheelSnapshot& sight, double height) const;
@@ -50,9 +54,13 @@ class NaiveHands {
   Random random_;
   Pointer pointer_;
   double seconds_, last_ = 0, side_ = 1, scale_ = 1;
-  double wait_until_ = 0;         ///< They only look until then.
-  double wrong_side_since_ = -1;  ///< Since when the hint has asked for the other side.
-  std::vector<Point> path_;       ///< The current stroke; empty for none.
+  double wait_until_ = 0;      ///< They only look until then.
+  double asked_since_ = -1;    ///< Since when the hint has asked for a button.
+  std::string asked_key_;      ///< That hint.
+  std::string works_by_;       ///< The hint at the beginning of a stroke with coil or paddle,
+  double changed_since_ = -1;  ///< and since when there has been another.
+  bool tray_open_ = false;
+  std::vector<Point> path_;  ///< The current stroke; empty for none.
   double length_ = 0, along_ = 0, speed_ = 0;
   bool down_ = false, done_ = false;
   Point shake_{}, shake_speed_{}, wander_{};

@@ -109,7 +109,7 @@ Result<void> ScriptedVisitor::on_choose() {
   touched_ = true;
   pass("label");
   const ScriptInfo* script = find_script(plan_.script);
-  const bool builds = script != nullptr && script->shows == BuildingDef::kName;
+  const bool builds = plan_.naive || (script != nullptr && script->shows == BuildingDef::kName);
   return touch(builds && kiosk_.visit().control("choose.build") ? "choose.build" : "choose.throw");
 }
 

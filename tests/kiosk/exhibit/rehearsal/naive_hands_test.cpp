@@ -144,5 +144,51 @@ TEST(NaiveHands, TheirTremorIsOfPixelsNotOfCentimetres) {
   EXPECT_GT(near, 0.9 * all) << near << " of " << all;
 }
 
+TEST(NaiveHands, HoldACoilNearlyStillOnTheRim) {
+  Wheel wheel;
+  wheel.sight.hint = {"hint.lay_coil", {}, {}};
+  const auto rim = *wheel.sight.camera.project({0.055, 0.2, 0});
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    NaiveHands hands(seed, 60, NaiveHands::Pointer::mouse);
+    const Seen seen = watch(hands, wheel, 90);
+    EXPECT_LT(seen.strokes, 22) << "three to nine seconds each";
+    EXPECT_GT(seen.least_y, rim.second - 40);
+    EXPECT_LT(seen.most_y, rim.second + 40);
+  }
+}
+
+TEST(NaiveHands, BeatWhereTheArrowIsMoreOftenThanElsewhere) {
+  Wheel wheel;
+  wheel.sight.hint = {"hint.beat", {}, screens::Hint::Press{0.18, true}};
+  int above = 0, all = 0;
+  const auto middle = *wheel.sight.camera.project({0.0, 0.12, 0});
+  for (std::uint64_t seed = 1; seed < 9; ++seed) {
+    NaiveHands hands(seed, 60, NaiveHands::Pointer::mouse);
+    for (int n = 0; n < 2900; ++n)
+      for (const InputEvent& e : hands.step(0.02 * n, wheel.sight, 1280).events) {
+        above += e.y < middle.second;
+        ++all;
+      }
+  }
+  EXPECT_GT(above, 0.6 * all);
+  EXPECT_LT(above, 0.98 * all);
+}
+
+TEST(NaiveHands, TakeTheToolThatTheHintNamesAndCallAGoodPotDone) {
+  Wheel wheel;
+  wheel.sight.hint = {"hint.take_paddle", "throw.tools", {}};
+  wheel.sight.tool = "throw.tool.2";
+  NaiveHands hands(4, 60, NaiveHands::Pointer::mouse);
+  const Seen asked = watch(hands, wheel, 90);
+  EXPECT_TRUE(asked.controls.contains("throw.tools"));
+  EXPECT_TRUE(asked.controls.contains("throw.tool.2"));
+  Wheel good;
+  good.sight.hint = {"hint.beaten", {}, {}};
+  NaiveHands happy(4, 60, NaiveHands::Pointer::mouse);
+  const Seen done = watch(happy, good, 90);
+  EXPECT_TRUE(done.controls.contains("throw.done"));
+  EXPECT_LT(done.done_at, 55);
+}
+
 }  // namespace
 }  // namespace onggi::rehearsal::naive_hands_test
