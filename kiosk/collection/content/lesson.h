@@ -13,14 +13,25 @@
 namespace onggi::content {
 
 /// What the hands in a step's drawing do.
-enum class HandsDrawn : std::uint8_t { around, inside, up, along, rim, wire };
-inline constexpr std::array<std::string_view, 6> kHandsDrawn{"around", "inside", "up",
-                                                             "along",  "rim",    "wire"};
+enum class HandsDrawn : std::uint8_t { around, inside, up, along, rim, wire, coil, paddle };
+inline constexpr std::array<std::string_view, 8> kHandsDrawn{"around", "inside", "up",   "along",
+                                                             "rim",    "wire",   "coil", "paddle"};
 
 /// What a visitor has done when a step is complete.
-enum class DoneWhen : std::uint8_t { touched, opened, raised, shaped, rim, cut };
-inline constexpr std::array<std::string_view, 6> kDoneWhen{"touched", "opened", "raised",
-                                                           "shaped",  "rim",    "cut"};
+enum class DoneWhen : std::uint8_t {
+  touched,
+  opened,
+  raised,
+  shaped,
+  rim,
+  cut,
+  laid,     ///< Of a pot that is built of coils: a ring is closed;
+  built,    ///< it has its vessel's clay;
+  ringing,  ///< a blow fell on clay that is dry enough;
+  beaten    ///< its wall is thin and on the line.
+};
+inline constexpr std::array<std::string_view, 10> kDoneWhen{
+    "touched", "opened", "raised", "shaped", "rim", "cut", "laid", "built", "ringing", "beaten"};
 
 /// One step of a lesson.
 struct LessonStep {

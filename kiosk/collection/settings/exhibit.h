@@ -44,6 +44,8 @@ struct Exhibit {
       "../content/glazes.toml";  ///< The glazes to choose from; used where the scene has a kiln.
   bool build = true;  ///< Visitors may build the vessels that were built (Vessel::built),
   std::optional<std::filesystem::path> built_scene;  ///< in this scene; absent: they throw them.
+  std::optional<std::filesystem::path>
+      build_lesson;  ///< What they are taught then; absent: nothing.
   /// Folder of the ways to decorate a pot, a TOML each; absent: none.
   std::optional<std::filesystem::path> ways;
   bool decorate = true;  ///< Visitors may decorate their pots.

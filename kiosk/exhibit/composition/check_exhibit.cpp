@@ -174,9 +174,10 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
     note(report, read_all.keys_checked, std::move(read_all.problems));
   }
   check_names(report, content::names_file(file), exhibit.languages);
-  if (exhibit.lesson)
-    known["lesson"] =
-        check_lesson(report, *exhibit.lesson, exhibit.languages, exhibit.translations);
+  for (const auto& lesson : {exhibit.lesson, exhibit.build_lesson})
+    if (lesson)
+      for (std::string& id : check_lesson(report, *lesson, exhibit.languages, exhibit.translations))
+        known["lesson"].push_back(std::move(id));
   for (const device::KindInfo& kind : device::device_kinds())
     if (fs::is_regular_file(device_file(exhibit, kind.kind), ignored)) {
       auto device = device_of(exhibit, kind.kind);

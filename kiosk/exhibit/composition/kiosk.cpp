@@ -150,11 +150,14 @@ Result<void> Kiosk::read_settings(const KioskOptions& options) {
   auto names = content::KeepsakeNames::read(content::names_file(exhibit_.file), exhibit_.languages);
   files::log_problems(names.problems);
   names_ = std::move(names.names);
-  if (exhibit_.lesson) {
-    auto lesson = content::read_lesson(*exhibit_.lesson, exhibit_.languages, exhibit_.translations);
+  const auto read_lesson = [this](const std::optional<fs::path>& file) {
+    if (!file) return std::vector<content::LessonStep>{};
+    auto lesson = content::read_lesson(*file, exhibit_.languages, exhibit_.translations);
     files::log_problems(lesson.problems);
-    lesson_ = std::move(lesson.steps);
-  }
+    return std::move(lesson.steps);
+  };
+  lesson_ = read_lesson(exhibit_.lesson);
+  build_lesson_ = read_lesson(exhibit_.build_lesson);
   return {};
 }
 
@@ -164,6 +167,7 @@ void Kiosk::begin_visit(double now) {
   world.languages = &languages_;
   world.shelf = &shelf_->cards();
   world.lesson = &lesson_;
+  world.build_lesson = &build_lesson_;
   world.measure = &renderer_->measure();
   world.wheel = &wheel_host_->view();
   world.wheel_commands = wheel_host_.get();

@@ -137,6 +137,7 @@ class Kiosk {
   std::vector<content::Language> languages_;
   content::KeepsakeNames names_;
   std::vector<content::LessonStep> lesson_;
+  std::vector<content::LessonStep> build_lesson_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<loop::WheelHost> wheel_host_;
   loop::SteppedWheel* stepped_ = nullptr;  ///< wheel_host_, where it is turned by hand.

@@ -41,6 +41,7 @@ std::vector<fs::path> folders_of(const fs::path& file) {
   for (const auto& [vessel, scene] : exhibit.vessel_scenes) folders.insert(scene.parent_path());
   if (exhibit.built_scene) folders.insert(exhibit.built_scene->parent_path());
   if (exhibit.lesson) folders.insert(exhibit.lesson->parent_path());
+  if (exhibit.build_lesson) folders.insert(exhibit.build_lesson->parent_path());
   if (exhibit.ways) folders.insert(*exhibit.ways);
   if (exhibit.missions) folders.insert(exhibit.missions->parent_path());
   std::error_code gone;

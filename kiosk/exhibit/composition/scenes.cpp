@@ -5,6 +5,7 @@
 #include "engine/base/nearest_name.h"
 #include "engine/contact/tool.h"
 #include "engine/effects/kiln.h"
+#include "engine/scene/lump.h"
 #include "engine/script/script.h"
 #include "kiosk/collection/settings/scene_file.h"
 #include "kiosk/exhibit/composition/ways.h"
@@ -179,12 +180,13 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
   if (def.building) {
     wheel.coil = def.building->coil;
     wheel.pace = def.building->pace;
+    wheel.floor = scene::built_floor(def.clay);
     wheel.tools.insert(wheel.tools.begin(), {0, kCoil, 0.5 * *wheel.coil, 0.5 * *wheel.coil});
   }
   if (def.beating) {
-    wheel.face = def.beating->face;
+    wheel.beating = def.beating;
     wheel.tools.insert(wheel.tools.begin() + (wheel.coil ? 1 : 0),
-                       {0, std::string(scene::kPaddle), *wheel.face, *wheel.face});
+                       {0, std::string(scene::kPaddle), def.beating->face, def.beating->face});
   }
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);

@@ -148,7 +148,8 @@ class Attract final : public Screen {
     script_ = wheel.shown[desk.attract_turn++ % wheel.shown.size()];
     // As its makers made it, if that comes near the vessel without hands that follow.
     desk.attract_builds =
-        card.built && follows() && script::coils_come_near(card.target, *card.built->coil);
+        card.built && follows() &&
+        (card.built->beating || script::coils_come_near(card.target, *card.built->coil));
     if (desk.attract_builds) script_ = "build";
     // If clay keeps its volume, the pot's height needs planning, so the script throws it.
     show_.reset();

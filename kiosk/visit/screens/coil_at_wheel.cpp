@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "kiosk/visit/screens/hint.h"
-
 namespace onggi::screens {
 
 namespace {
@@ -16,10 +14,21 @@ const Profile* CoilAtWheel::target() const {
   return card != nullptr && !card->target.points.empty() ? &card->target : nullptr;
 }
 
+const script::RingPlan* CoilAtWheel::plan() const {
+  const Profile* const vessel = built() ? target() : nullptr;
+  if (vessel == nullptr) return nullptr;
+  const std::pair now{desk_.card, vessel->height()};
+  if (!plan_ || planned_ != now) {
+    planned_ = now;
+    BuildingDef law;
+    law.coil = diameter();
+    plan_.emplace(*vessel, desk_.wheel().floor, law, desk_.wheel().beating);
+  }
+  return &*plan_;
+}
+
 bool CoilAtWheel::lacks_a_ring() const {
-  return built() && target() != nullptr &&
-         screens::lacks_a_ring(desk_.world.wheel->clay.rim_height(), target()->height(),
-                               diameter());
+  return plan() != nullptr && plan()->lacks_a_ring(desk_.world.wheel->clay);
 }
 
 bool CoilAtWheel::wall_is_there_now() {
@@ -30,14 +39,16 @@ bool CoilAtWheel::wall_is_there_now() {
 void CoilAtWheel::hold(bool on, WheelSpeed& speed) {
   hand_ = on ? std::optional<CoilHand>(diameter()) : std::nullopt;
   desk_.world.wheel_commands->hold(on ? loop::InHand::coil : loop::InHand::tool);
+  if (!on) return speed.fast(desk_);
   const double widest = target() != nullptr ? target()->max_radius() : 0.0;
-  speed.lay(on, widest > 0 ? kSurelyLays * desk_.wheel().pace / widest : 0.0, desk_);
+  speed.slow(WheelSpeed::kLaying, widest > 0 ? kSurelyLays * desk_.wheel().pace / widest : 0.0,
+             desk_);
 }
 
-void CoilAtWheel::lay_a_ring(const Profile& target, double side) {
+void CoilAtWheel::follow(double dt) {
   const ClayView& clay = desk_.world.wheel->clay;
-  const double top = std::min(clay.rim_height() + diameter(), target.height());
-  hand_->lay_a_ring(side, target.outer_at(top) - 0.5 * diameter(), clay);
+  hand_->follow(clay, dt,
+                plan() != nullptr ? std::optional(plan()->next_ring(clay)) : std::nullopt);
 }
 
 void CoilAtWheel::send(const view::Camera& camera) const {

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 
+#include "engine/script/ring_plan.h"
 #include "kiosk/visit/screens/coil_hand.h"
 #include "kiosk/visit/screens/desk.h"
 #include "kiosk/visit/screens/page.h"
@@ -22,7 +24,10 @@ class CoilAtWheel {
   /// The pot on the wheel is built of coils.
   bool built() const { return !two_ && desk_.wheel().coil; }
   double diameter() const { return built() ? *desk_.wheel().coil : 0.0; }  ///< m
-  /// It is too low for its vessel by most of a ring.
+  /// How its vessel is built; null if it is not, or there is no vessel to copy. Valid until the
+  /// next call.
+  const script::RingPlan* plan() const;
+  /// It lacks clay by most of a ring: height or, where it will be beaten, clay.
   bool lacks_a_ring() const;
   /// Call once a frame. True when the last ring that was lacking has closed.
   bool wall_is_there_now();
@@ -37,10 +42,13 @@ class CoilAtWheel {
   }
   /// Takes it up or puts it away, and tells the wheel. With a coil the wheel is slow.
   void hold(bool on, WheelSpeed& speed);
-  /// Lays one ring by itself where the vessel's line is, at `side` (+1 right of the axis, -1 left).
-  /// Only while held().
-  void lay_a_ring(const Profile& target, double side);
-  /// Tells the wheel where the hand is. Only while held().
+  // The rest only while held().
+
+  /// Call once a frame, of `dt` s.
+  void follow(double dt);
+  /// Lays one ring by itself where it belongs, at `side` (+1 right of the axis, -1 left).
+  void lay_a_ring(double side) { hand_->lay_a_ring(side, desk_.world.wheel->clay); }
+  /// Tells the wheel where the hand is.
   void send(const view::Camera& camera) const;
   /// `show`, as it is with a coil in the hand: it lays a ring.
   Button button(Button show) const;
@@ -52,6 +60,8 @@ class CoilAtWheel {
   bool two_;
   std::optional<CoilHand> hand_;
   bool lacked_ = false;  ///< At the last frame.
+  mutable std::optional<script::RingPlan> plan_;
+  mutable std::pair<int, double> planned_{-1, 0.0};  ///< Of this card, so high.
 };
 
 }  // namespace onggi::screens

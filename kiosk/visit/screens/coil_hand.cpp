@@ -9,7 +9,8 @@ using view::InputEvent;
 
 namespace {
 constexpr double kPressed = 0.04;  // coils into the rim: it rests on an uneven one too
-constexpr double kMeant = 1.5;  // coils from the rim's middle: a finger farther off moves nothing
+constexpr double kAside = 0.5;     // coils: as far as a finger moves the coil from its place
+constexpr double kGently = 0.02;   // m/s: so a hurried finger makes no corner in a ring
 // Of the rim's radius: a finger that goes so far may go round. Coils inside the rim's middle: a
 // finger there is in front of the pot.
 constexpr double kRound = 0.25, kBefore = 0.75;
@@ -38,7 +39,7 @@ struct Rim {
     return solid() ? std::max(outer - 0.5 * coil, 0.0) : 0.5 * (outer + inner);
   }
   double within(double radius, double coil) const {
-    const double least = solid() ? outer - coil : inner + kOnTop, most = outer - kOnTop;
+    const double least = solid() ? 0.5 * coil : inner + kOnTop, most = outer - kOnTop;
     return least < most ? std::clamp(radius, least, most) : middle(coil);
   }
   /// How far a coil at `radius` lies lower than on the flat of the rim, m.
@@ -83,32 +84,31 @@ bool CoilHand::pointer(const InputEvent& e, const view::Camera& camera, const Cl
       return false;
   }
   px_ = e.x, py_ = e.y;
-  radius_ = std::abs(std::abs(x) - middle) < kMeant * diameter_ ? std::abs(x) : middle;
+  wish_ = std::clamp(side_ * (x - began_), -kAside * diameter_, kAside * diameter_);
   return true;
 }
 
-void CoilHand::move_by_keys(double side, double outward, const ClayView& clay) {
+void CoilHand::move_by_keys(double side, double outward) {
   if (!active_) {
     active_ = true;
     round_ = false;
     side_ = side;
-    radius_ = middle_of_rim(clay, diameter_);
   } else {
-    const double middle = middle_of_rim(clay, diameter_);
-    radius_ = std::clamp(radius_ + outward, middle - diameter_, middle + diameter_);
+    wish_ = std::clamp(wish_ + outward, -kAside * diameter_, kAside * diameter_);
   }
 }
 
-void CoilHand::lay_a_ring(double side, double radius, const ClayView& clay) {
+void CoilHand::lay_a_ring(double side, const ClayView& clay) {
   lift();
   active_ = true;
   round_ = false;
   side_ = side;
-  radius_ = radius;
   ends_ = clay.rim_height() + kRisen * diameter_;
 }
 
-void CoilHand::follow(const ClayView& clay, double dt) {
+void CoilHand::follow(const ClayView& clay, double dt, std::optional<double> belongs) {
+  belongs_ = belongs;
+  aside_ += std::clamp(wish_ - aside_, -kGently * dt, kGently * dt);
   const double rim = clay.rim_height();
   lightly_ = !active_                          ? 0.0
              : rim > rim_ + kRisen * diameter_ ? kNextCoil
@@ -130,7 +130,8 @@ HandInput CoilHand::input(const view::Camera& camera, const ClayView& clay) cons
   if (there && axis_distance(*there) > 1e-6)
     way = (1.0 / axis_distance(*there)) * Vec3{there->x, 0.0, there->z};
   const Rim rim = Rim::at(clay, way);
-  const double radius = there ? rim.middle(diameter_) : rim.within(radius_, diameter_);
+  const double radius = rim.within(
+      (belongs_ ? *belongs_ : rim.middle(diameter_)) + (there ? 0.0 : aside_), diameter_);
   hand.position = radius * way;
   hand.position.y = height - rim.sinks(radius, diameter_);
   return hand;

@@ -28,7 +28,7 @@ void Desk::forget() {
   exactly = false;
   glaze = -1;
   decorated.reset();
-  lesson_step = 0;
+  lesson_steps = {};
   force = {};
   comfort = {};
   kept = Kept::not_asked;
@@ -140,7 +140,7 @@ void Desk::touch_pot() {
 
 void Desk::fresh_clay() {
   touched = false;
-  if (world.lesson != nullptr && lesson_step < world.lesson->size()) lesson_step = 0;
+  if (lesson() != nullptr && lesson_step() < lesson()->size()) lesson_step() = 0;
 }
 
 decorating::DecoratedPot* Desk::pot_to_decorate() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <map>
 #include <memory>
@@ -54,8 +55,9 @@ class Desk {
   bool exactly = false;  ///< The visitor asked for figures at the result.
   ForceSlider force;
   Comfort comfort;
-  std::size_t lesson_step = 0;  ///< The current or next step of the exhibit's lesson.
-  int glaze = -1;               ///< Index in the kiln's glazes; -1: not chosen yet.
+  /// The current or next step of the exhibit's lesson: of throwing, of building.
+  std::array<std::size_t, 2> lesson_steps{};
+  int glaze = -1;  ///< Index in the kiln's glazes; -1: not chosen yet.
   /// Null until the visitor comes to decorate the pot. A keepsake in the making has it, too.
   std::shared_ptr<decorating::DecoratedPot> decorated;
   enum class Kept { not_asked, asked, kept, failed } kept = Kept::not_asked;
@@ -94,6 +96,12 @@ class Desk {
   content::Label label(int index) const;
   /// The scene of the visitor's vessel, or of attract's.
   const SceneForVisitor& wheel() const;
+  /// The lesson for the pot on the wheel; null if there is none.
+  const std::vector<content::LessonStep>* lesson() const {
+    return wheel().coil ? world.build_lesson : world.lesson;
+  }
+  std::size_t& lesson_step() { return lesson_steps[wheel().coil ? 1 : 0]; }
+  std::size_t lesson_step() const { return lesson_steps[wheel().coil ? 1 : 0]; }
 
   int missions() const;
   const MissionCard& mission_card(int index) const;

@@ -57,6 +57,15 @@ class Slip {
   }
   void wheel() { line({{0.14f, 0.93f}, {0.86f, 0.93f}}, view::kFaintInk, 1.6f); }
   void cylinder() { both({{0.5f, 0.90f}, {0.33f, 0.90f}, {0.33f, 0.36f}}, view::kFaintInk, 1.6f); }
+  // A low wall of three rings, and half of a fourth.
+  void rings() {
+    for (const float y : {0.86f, 0.76f, 0.66f})
+      line({{0.28f, y}, {0.25f, y - 0.05f}, {0.28f, y - 0.1f}}, view::kFaintInk, 1.6f),
+          line({{0.72f, y}, {0.75f, y - 0.05f}, {0.72f, y - 0.1f}}, view::kFaintInk, 1.6f),
+          line({{0.28f, y - 0.1f}, {0.72f, y - 0.1f}}, view::kFaintInk, 1.2f);
+    line({{0.28f, 0.86f}, {0.28f, 0.90f}, {0.72f, 0.90f}, {0.72f, 0.86f}}, view::kFaintInk, 1.6f);
+    line({{0.46f, 0.54f}, {0.70f, 0.52f}}, view::kInk, 3.2f);
+  }
   void jar() {
     both({{0.5f, 0.90f},
           {0.37f, 0.90f},
@@ -111,6 +120,18 @@ void draw_hands(Page& page, const view::Rect& box, HandsDrawn hands) {
       slip.jar();
       slip.hand(0.61f, 0.40f, 0.10f, 0.99f, 1);
       slip.hand(0.64f, 0.37f, -0.80f, 0.60f, -1);
+      break;
+    case HandsDrawn::coil:
+      slip.rings();
+      slip.hand(0.70f, 0.42f, -0.94f, 0.34f, 1);
+      slip.arrow({{0.36f, 0.30f}, {0.44f, 0.27f}, {0.53f, 0.265f}, {0.62f, 0.30f}});
+      break;
+    case HandsDrawn::paddle:
+      slip.jar();
+      slip.line({{0.785f, 0.50f}, {0.785f, 0.72f}}, view::kInk, 3.6f);
+      slip.line({{0.80f, 0.50f}, {0.88f, 0.22f}}, view::kInk, 2.0f);
+      slip.arrow({{0.96f, 0.62f}, {0.84f, 0.62f}});
+      slip.line({{0.685f, 0.56f}, {0.66f, 0.61f}, {0.685f, 0.66f}}, view::kInk, 2.4f);
       break;
     case HandsDrawn::wire:
       slip.jar();

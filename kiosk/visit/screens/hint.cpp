@@ -18,8 +18,7 @@ namespace {
 constexpr const char* kPlaces[] = {"place.foot", "place.low",  "place.belly", "place.middle",
                                    "place.neck", "place.high", "place.rim"};
 
-constexpr double kMostOfARing = 0.6;  // coils
-constexpr double kFromEnds = 0.04;    // an arrow this near foot or rim points at nothing
+constexpr double kFromEnds = 0.04;  // an arrow this near foot or rim points at nothing
 
 /// Remarks of the score without a place on the wall, as they are said at the wheel.
 constexpr std::pair<const char*, const char*> kWithoutPlace[] = {
@@ -65,19 +64,18 @@ std::optional<Hint> hint_of(const score::Remark& remark, const HintInput& in) {
 
 }  // namespace
 
-bool lacks_a_ring(double height, double target, double coil) {
-  return height + kMostOfARing * coil < target;
-}
-
 Hint next_hint(const HintInput& in) {
   if (!in.wheel_turns) return {"hint.wheel_still", {}, {}};
   if (in.target == nullptr || in.made == nullptr || in.made->points.empty())
     return {"hint.begin", {}, {}};
   if (in.dry_too_long) return {"hint.dry", {}, {}};
-  if (in.paddle_held) return {"hint.beat", {}, {}};
-  // The wall comes first: what is not there yet cannot be shaped.
-  if (in.coil > 0 && lacks_a_ring(in.made->height(), in.target->height(), in.coil))
+  // The wall comes first: what is not there yet can be neither beaten nor shaped.
+  const HintInput::Built built = in.built.value_or(HintInput::Built{});
+  if (built.lacks_a_ring)
     return in.coil_held ? Hint{"hint.lay_coil", {}, {}} : Hint{"hint.take_coil", in.tools_way, {}};
+  if (in.paddle_held && (built.to_beat || !in.built)) return {"hint.beat", {}, built.worst};
+  if (in.paddle_held && built.beaten) return {"hint.beaten", {}, {}};
+  if (built.to_beat) return {"hint.take_paddle", in.tools_way, {}};
   if (in.coil_held) return {"hint.high_enough", {}, {}};
   if (!in.described.empty()) return {in.described, {}, {}};
   if (in.score == nullptr) return {"hint.begin", {}, {}};
@@ -100,10 +98,11 @@ std::vector<std::string> all_hints(const Desk& desk) {
     for (const char* key : {"hint.lay_coil", "hint.lay_ring", "hint.high_enough", "stroke.lays"})
       all.push_back(desk.say(key));
     for (std::size_t held = 0; held <= desk.wheel().tools.size(); ++held)
-      all.push_back(words_of({"hint.take_coil", ToolTray::way_in(desk, held), {}}, desk));
+      for (const char* key : {"hint.take_coil", "hint.take_paddle"})
+        all.push_back(words_of({key, ToolTray::way_in(desk, held), {}}, desk));
   }
-  if (desk.wheel().face)
-    for (const char* key : {"hint.beat", "hint.beat_all", "stroke.beats"})
+  if (desk.wheel().beating)
+    for (const char* key : {"hint.beat", "hint.beaten", "hint.beat_all", "stroke.beats"})
       all.push_back(desk.say(key));
   for (const auto& said : kWithoutPlace) all.push_back(desk.say(said.second));
   if (desk.described() != nullptr)

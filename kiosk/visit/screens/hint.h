@@ -19,15 +19,17 @@ struct HintInput {
   bool touched = false;       ///< The visitor has touched this pot.
   bool dry_too_long = false;  ///< The clay was rubbed too long without water.
   double tool_radius = 0.008;
-  double coil = 0;          ///< Its diameter where the pot is built of coils, m,
-  bool coil_held = false;   ///< and whether one is in the hand.
+  struct Built {
+    bool lacks_a_ring = false;
+    bool to_beat = false;  ///< Its rings are laid, and its wall is still to be beaten;
+    std::optional<Hint::Press> worst{};  ///< here most (with a paddle in the hand).
+    bool beaten = false;                 ///< It was beaten, and has its vessel's height.
+  };
+  std::optional<Built> built{};  ///< The pot is built of coils.
+  bool coil_held = false, paddle_held = false;
   std::string tools_way{};  ///< Language key of the words on the button to the tools.
   std::string described{};  ///< The hint for wanted figures, if there is no outline to copy.
-  bool paddle_held = false;
 };
-
-/// A pot of `height` is too low for its vessel by most of a ring of coil, m.
-bool lacks_a_ring(double height, double target, double coil);
 
 /// The most useful hint for the current state: of what the result would say to try next, the first
 /// that hands can do now. Pure.

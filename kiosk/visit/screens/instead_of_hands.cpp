@@ -1,18 +1,20 @@
 #include "kiosk/visit/screens/instead_of_hands.h"
 
+#include <cmath>
+
 #include "engine/scene/hand_view.h"
 
 namespace onggi::screens {
 
 namespace {
 constexpr std::string_view kCoilTool = "coil";
-constexpr double kBeating = 4.0;  // rad/s at most: at three blows a second, five in a turn
-constexpr double kOnceUp = 9.0;   // s, from the foot to the rim
+constexpr double kMostBeating = 4.0;  // rad/s: at three blows a second, five in a turn
+constexpr double kOnceUp = 9.0;       // s, from the foot to the rim
 }  // namespace
 
 bool InsteadOfHands::has(std::string_view tool) const {
   return (tool == kCoilTool && coil_.built()) ||
-         (tool == scene::kPaddle && !two_ && desk_.wheel().face);
+         (tool == scene::kPaddle && !two_ && desk_.wheel().beating);
 }
 
 void InsteadOfHands::take_up(std::string_view tool, WheelSpeed& speed) {
@@ -20,9 +22,10 @@ void InsteadOfHands::take_up(std::string_view tool, WheelSpeed& speed) {
   coil_.hold(tool == kCoilTool && has(tool), speed);
   if (tool != scene::kPaddle || !has(tool)) return;
   const SceneForVisitor wheel = desk_.wheel();
-  paddle_.emplace(*wheel.face, wheel.tool_radius);
+  paddle_.emplace(wheel.beating->face, wheel.tool_radius);
+  aimed_ = {};
   desk_.world.wheel_commands->hold(loop::InHand::paddle);
-  speed.lay(true, kBeating, desk_);
+  speed.slow(WheelSpeed::kBeating, kMostBeating, desk_);
 }
 
 void InsteadOfHands::lift() {
@@ -35,12 +38,37 @@ bool InsteadOfHands::pointer(const view::InputEvent& e, const view::Camera& came
 }
 
 void InsteadOfHands::move_by_keys(double side, double outward, double up) {
-  const ClayView& clay = desk_.world.wheel->clay;
-  paddle_ ? paddle_->move_by_keys(side, up, clay) : coil_.hand().move_by_keys(side, outward, clay);
+  paddle_ ? paddle_->move_by_keys(side, up, desk_.world.wheel->clay)
+          : coil_.hand().move_by_keys(side, outward);
 }
 
-void InsteadOfHands::follow(double dt) {
-  paddle_ ? paddle_->follow(dt) : coil_.hand().follow(desk_.world.wheel->clay, dt);
+void InsteadOfHands::follow(double dt) { paddle_ ? paddle_->follow(dt) : coil_.follow(dt); }
+
+void InsteadOfHands::aim() {
+  const bool beats = paddle_ && coil_.plan() != nullptr;
+  worst_ = beats && to_beat()
+               ? coil_.plan()->worst(desk_.world.wheel->clay,
+                                     worst_ ? std::optional(worst_->height) : std::nullopt)
+               : std::nullopt;
+  if (!beats) return;
+  const ClayView& clay = desk_.world.wheel->clay;
+  const Vec3 hand = desk_.status.hands.hand[0].position;
+  const script::Swings swings =
+      coil_.plan()->swings(clay, hand.y, std::atan2(hand.z, hand.x) - clay.angle);
+  if (swings != aimed_) desk_.world.wheel_commands->swing(swings);
+  aimed_ = swings;
+}
+
+bool InsteadOfHands::to_beat() const {
+  return coil_.plan() != nullptr && coil_.plan()->to_beat(desk_.world.wheel->clay);
+}
+
+std::optional<HintInput::Built> InsteadOfHands::state() const {
+  if (coil_.plan() == nullptr) return std::nullopt;
+  HintInput::Built built{coil_.lacks_a_ring(), to_beat(), {}, false};
+  if (worst_) built.worst = Hint::Press{worst_->height, worst_->inward};
+  built.beaten = coil_.plan()->beaten(desk_.world.wheel->clay);
+  return built;
 }
 
 void InsteadOfHands::send(const view::Camera& camera) const {
@@ -49,8 +77,8 @@ void InsteadOfHands::send(const view::Camera& camera) const {
   desk_.world.wheel_commands->hand(1, {});
 }
 
-void InsteadOfHands::work_by_itself(const Profile& target, double side) {
-  paddle_ ? paddle_->beat_up(side, kOnceUp) : coil_.lay_a_ring(target, side);
+void InsteadOfHands::work_by_itself(double side) {
+  paddle_ ? paddle_->beat_up(side, kOnceUp) : coil_.lay_a_ring(side);
 }
 
 Button InsteadOfHands::button(Button show) const {

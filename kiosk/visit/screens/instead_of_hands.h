@@ -5,6 +5,7 @@
 
 #include "kiosk/visit/screens/coil_at_wheel.h"
 #include "kiosk/visit/screens/desk.h"
+#include "kiosk/visit/screens/hint.h"
 #include "kiosk/visit/screens/paddle_hand.h"
 #include "kiosk/visit/screens/page.h"
 #include "kiosk/visit/screens/wheel_speed.h"
@@ -21,6 +22,12 @@ class InsteadOfHands {
   CoilAtWheel& coil() { return coil_; }
   const CoilAtWheel& coil() const { return coil_; }
   bool paddle() const { return paddle_.has_value(); }
+  /// The index of the paddle in the tray; only where has(scene::kPaddle).
+  std::size_t paddles_place() const { return coil_.built() ? CoilAtWheel::kTool + 1 : 1; }
+  /// All rings are laid, and the wall is not yet thin and on the vessel's line.
+  bool to_beat() const;
+  /// For the hints; nothing if the pot is not built of coils.
+  std::optional<HintInput::Built> state() const;
 
   /// The tray's `tool` is one of them. False for two visitors.
   bool has(std::string_view tool) const;
@@ -32,6 +39,9 @@ class InsteadOfHands {
   bool grabbed() const { return coil_.grabbed() || (paddle_ && paddle_->grabbed()); }
   bool by_itself() const { return coil_.by_itself() || (paddle_ && paddle_->by_itself()); }
   void lift();
+  /// Call once a frame: a paddle strikes so that the wall comes to the vessel's line, whatever hand
+  /// leads it.
+  void aim();
   // The rest only while held().
 
   /// A finger or the mouse. True if the hand must be sent to the wheel.
@@ -43,7 +53,7 @@ class InsteadOfHands {
   /// Tells the wheel where the hand is.
   void send(const view::Camera& camera) const;
   /// Lays a ring, or beats the wall once from the foot to the rim.
-  void work_by_itself(const Profile& target, double side);
+  void work_by_itself(double side);
   /// `show`, as it is now: it begins and ends work_by_itself().
   Button button(Button show) const;
 
@@ -52,6 +62,8 @@ class InsteadOfHands {
   bool two_;
   CoilAtWheel coil_;
   std::optional<PaddleHand> paddle_;
+  script::Swings aimed_;  ///< What the wheel was told last.
+  std::optional<script::RingPlan::Worst> worst_;
 };
 
 }  // namespace onggi::screens

@@ -20,6 +20,7 @@ constexpr double kShapedShare = 0.5;  // of the heights are on the line
 constexpr double kOpened = 0.25;      // of the most that it must become wider
 constexpr double kLook = 0.25;        // s between two checks of the outline
 constexpr double kCut = 0.99;         // of the section
+constexpr double kRings = 0.3;        // wetness: a blow on drier clay is heard to ring
 
 double share_on_line(const Profile& made, const Profile& target) {
   constexpr int kHeights = 48;
@@ -57,12 +58,11 @@ bool asked_for(DoneWhen what, const Profile* target, const Profile& made) {
 }  // namespace
 
 const LessonStep* LessonLine::shown(const Desk& desk) {
-  // It is about throwing. It needs a visible outline and both hands of one visitor.
-  if (desk.wheel().coil) return nullptr;
+  // It needs a visible outline and both hands of one visitor.
   if (desk.on() != nullptr && desk.on()->kind != settings::Mission::Kind::today) return nullptr;
-  const auto* lesson = desk.world.lesson;
-  return lesson != nullptr && desk.lesson_step < lesson->size() ? &(*lesson)[desk.lesson_step]
-                                                                : nullptr;
+  const auto* lesson = desk.lesson();
+  return lesson != nullptr && desk.lesson_step() < lesson->size() ? &(*lesson)[desk.lesson_step()]
+                                                                  : nullptr;
 }
 
 std::string LessonLine::by_keys(const Desk& desk, DoneWhen until) {
@@ -79,7 +79,7 @@ bool LessonLine::leaves_off(const Desk& desk) {
 }
 
 void LessonLine::skip(Desk& desk) {
-  if (desk.world.lesson != nullptr) desk.lesson_step = desk.world.lesson->size();
+  if (desk.lesson() != nullptr) desk.lesson_step() = desk.lesson()->size();
 }
 
 void LessonLine::begin(const Profile& made) {
@@ -87,6 +87,17 @@ void LessonLine::begin(const Profile& made) {
   touched_ = at_rim_ = 0;
   lowest_ = -1;
   began_with_ = made;
+}
+
+void LessonLine::watch_built(const Desk& desk, const HintInput::Built& built, const Profile& made) {
+  if (made.points.empty()) return;
+  if (made.height() > desk.wheel().floor + 0.5 * desk.wheel().coil.value_or(0.0))
+    note(DoneWhen::laid);
+  if (!built.lacks_a_ring) note(DoneWhen::built);
+  if (!built.lacks_a_ring && !built.to_beat) note(DoneWhen::beaten);
+  const Feedback& felt = desk.status.feedback;
+  for (const HandFeedback& hand : felt.hand)
+    if (hand.blow > 0.0 && felt.wetness < kRings) note(DoneWhen::ringing);
 }
 
 void LessonLine::watch(const Desk& desk, double dt, const Profile* target, const Profile& made) {
@@ -124,16 +135,17 @@ void LessonLine::watch(const Desk& desk, double dt, const Profile* target, const
 }
 
 void LessonLine::update(Desk& desk, double dt, const Profile* target, const Profile& made,
-                        bool alone) {
-  if (std::exchange(step_, desk.lesson_step) != desk.lesson_step) in_step_ = 0;  // begun anew
+                        bool alone, const std::optional<HintInput::Built>& built) {
+  if (std::exchange(step_, desk.lesson_step()) != desk.lesson_step()) in_step_ = 0;  // begun anew
   const LessonStep* step = shown(desk);
   if (step == nullptr) return;
   if (alone) watch(desk, dt, target, made);
+  if (built) watch_built(desk, *built, made);
   in_step_ += dt;
   const bool at_work = apart_ <= kStrokeEnds;
   while (step != nullptr && (has(step->until) || (in_step_ > step->after && !at_work) ||
                              !asked_for(step->until, target, made))) {
-    step_ = ++desk.lesson_step;
+    step_ = ++desk.lesson_step();
     in_step_ = 0;
     step = shown(desk);
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kiosk/visit/screens/desk.h"
+#include "kiosk/visit/screens/hint.h"
 
 namespace onggi::screens {
 
@@ -14,8 +15,10 @@ namespace onggi::screens {
 /// leaves the wheel and returns to the same pot.
 class LessonLine {
  public:
-  /// Call once a frame with the pot on the wheel. `alone`: the visitor's own hands work.
-  void update(Desk& desk, double dt, const Profile* target, const Profile& made, bool alone);
+  /// Call once a frame with the pot on the wheel. `alone`: the visitor's own hands work. `built`:
+  /// of a pot that is built of coils.
+  void update(Desk& desk, double dt, const Profile* target, const Profile& made, bool alone,
+              const std::optional<HintInput::Built>& built);
   /// The step to show now; null if there is none or the lesson is over.
   static const content::LessonStep* shown(const Desk& desk);
   static void skip(Desk& desk);
@@ -27,6 +30,8 @@ class LessonLine {
  private:
   /// Forgets what was done at other clay.
   void begin(const Profile& made);
+  static_assert(content::kDoneWhen.size() <= 32);
+  void watch_built(const Desk& desk, const HintInput::Built& built, const Profile& made);
   void watch(const Desk& desk, double dt, const Profile* target, const Profile& made);
   bool has(content::DoneWhen what) const {
     return (done_ >> static_cast<unsigned>(what) & 1u) != 0;
@@ -41,7 +46,7 @@ class LessonLine {
   double apart_ = 0;                  ///< s since the last contact with clay.
   double in_step_ = 0;                ///< s that the step has been shown.
   double looked_ = 0;                 ///< s since the outline was checked.
-  std::size_t step_ = 0;              ///< Desk::lesson_step at the last look.
+  std::size_t step_ = 0;              ///< Desk::lesson_step() at the last look.
 };
 
 }  // namespace onggi::screens

@@ -24,8 +24,8 @@ std::vector<std::string> all_that_may_be_told(const Desk& desk) {
   for (const std::string& key : DeviceNews::keys()) all.push_back(desk.say(key));
   for (const char* key : ShowMe::kKeys) all.push_back(desk.say(key));
   all.push_back(desk.say(kClayFirst));
-  if (desk.world.lesson != nullptr)
-    for (const content::LessonStep& step : *desk.world.lesson) {
+  if (desk.lesson() != nullptr)
+    for (const content::LessonStep& step : *desk.lesson()) {
       all.push_back(step.words_in(desk.words().code()));
       all.push_back(LessonLine::by_keys(desk, step.until));
     }
@@ -92,7 +92,7 @@ void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const
     draw_hands(page, slip, show.drawing());
   else if (step != nullptr)
     draw_hands(page, slip, step->hands);
-  else if (hint.press)
+  else if (hint.press && hint.key != "hint.beat")  // no hand presses
     draw_pressing_hand(page, slip, hint.press->inward);
 }
 

@@ -67,7 +67,7 @@ class Throwing final : public Screen {
       speed_.send(desk);
       desk.world.wheel_commands->water(water_.wet());
       // A pot that comes back from its result has what its hands held then.
-      if (coil().built() || desk.wheel().face)
+      if (coil().built() || desk.wheel().beating)
         take_up(coil().lacks_a_ring() ? CoilAtWheel::kTool : 0);
     }
     if (done_) return finish();
@@ -94,14 +94,14 @@ class Throwing final : public Screen {
       instead_.follow(dt);
       send_hand();
     }
-    // A new touch builds higher. Buttons go on to the strokes, with the focus where it is.
-    if (coil().wall_is_there_now() && coil().held()) by_buttons() ? take_up(0) : let_go();
+    instead_.aim();
+    if (coil().wall_is_there_now() && coil().held()) go_on_from_coil();
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
     clay_.look(desk, contact);
     // A paddle needs no water.
     water_.look(contact && !instead_.paddle(), desk.status.feedback.wetness, dt);
     if (desk.pot_ready() && !mishap_)
-      lesson_.update(desk, dt, target, picture_.made(), !show_.showing());
+      lesson_.update(desk, dt, target, picture_.made(), !show_.showing(), instead_.state());
     measured_.update(desk, picture_.made());
     look_how_good(target);
     // Say nothing about the previous pot.
@@ -109,8 +109,8 @@ class Throwing final : public Screen {
       hint_.update(desk.now,
                    {target, &picture_.made(), score_ ? &*score_ : nullptr, speed_.asked() > 0,
                     grip_, desk.touched, water_.asked_for(), desk.wheel().tool_radius,
-                    coil().diameter(), coil().held(), ToolTray::way_in(desk, held_),
-                    MeasuredPot::hint(desk), instead_.paddle()});
+                    instead_.state(), coil().held(), instead_.paddle(),
+                    ToolTray::way_in(desk, held_), MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
@@ -138,7 +138,12 @@ class Throwing final : public Screen {
   std::optional<WheelSnapshot> sight() const override {
     const ShelfCard* card = desk.shelf_card(desk.card);
     if (card == nullptr || !desk.pot_ready() || mishap_) return std::nullopt;
-    return WheelSnapshot{camera_, &card->target, &picture_.made(), hint_.shown()};
+    const std::string& key = hint_.shown().key;
+    const std::size_t tool = key == "hint.take_coil"     ? CoilAtWheel::kTool
+                             : key == "hint.take_paddle" ? instead_.paddles_place()
+                                                         : 0;
+    return WheelSnapshot{camera_, &card->target, &picture_.made(), hint_.shown(),
+                         tool > 0 ? "throw.tool." + std::to_string(tool) : ""};
   }
 
   void lay_out(Page& page) override {
@@ -171,7 +176,8 @@ class Throwing final : public Screen {
         card != nullptr && desk.pot_ready() && !dark() && drawer_ != Drawer::tools) {
       if (desk.described() == nullptr) draw_ghost(page, camera_, card->target, picture_.made());
       if (const auto& press = hint_.shown().press;
-          press && !grabbed() && whole && LessonLine::shown(desk) == nullptr)
+          press && whole &&
+          (instead_.paddle() || (!grabbed() && LessonLine::shown(desk) == nullptr)))
         draw_press(page, camera_, card->target, press->height, press->inward);
     }
     lay_out_throwing(page, desk, now, show_, hint_.shown());
@@ -352,9 +358,16 @@ class Throwing final : public Screen {
   void work_by_itself() {
     const bool stop = instead_.by_itself();
     let_go();
-    if (const Profile* target = aim(); target != nullptr && !stop)
-      instead_.work_by_itself(*target, key_sign());
+    if (aim() != nullptr && !stop) instead_.work_by_itself(key_sign());
     send_hand();
+  }
+  /// The last ring has closed: the wall is beaten next, if the scene has a paddle. Without one a
+  /// new touch builds higher, and buttons go on to the strokes, with the focus where it is.
+  void go_on_from_coil() {
+    if (instead_.to_beat())
+      take_up(instead_.paddles_place());
+    else
+      by_buttons() ? take_up(0) : let_go();
   }
   /// The target outline, if a hand may work towards it.
   const Profile* aim() const {

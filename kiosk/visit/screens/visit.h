@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/effects/beating.h"
 #include "kiosk/collection/content/glaze.h"
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/content/lesson.h"
@@ -56,10 +57,11 @@ struct SceneForVisitor {
   /// Diameter of the coil that the pot is built of, m; none: it is not built. The coil is then the
   /// first of `tools`.
   std::optional<double> coil;
-  double pace = 0.5;  ///< m/s: a rim that passes faster takes no coil.
-  /// Radius of the face of the paddle that beats the wall, m; none: nobody beats it. The paddle is
-  /// then the first of `tools`, or the first after the coil.
-  std::optional<double> face;
+  double pace = 0.5;    ///< m/s: a rim that passes faster takes no coil.
+  double floor = 0.01;  ///< m: height of the floor on which it is built.
+  /// The paddle that beats the wall; none: nobody beats it. It is then the first of `tools`, or the
+  /// first after the coil.
+  std::optional<BeatingDef> beating;
   struct Tool {
     std::uint8_t tool = 0;  ///< HandInput::tool.
     std::string name;       ///< Its shape's name, "coil" or "paddle"; language keys
@@ -133,6 +135,7 @@ struct VisitInputs {
   loop::WheelCommands* wheel_commands = nullptr;
   /// For the first minute at the wheel; may be absent.
   const std::vector<content::LessonStep>* lesson = nullptr;
+  const std::vector<content::LessonStep>* build_lesson = nullptr;  ///< Of a pot that is built.
   const DeviceNews* devices = nullptr;  ///< May be absent: no device news then.
   /// For the gallery, newest first; may be absent.
   const std::vector<TodaysPot>* todays = nullptr;
@@ -147,6 +150,7 @@ struct WheelSnapshot {
   const Profile* target = nullptr;  ///< The vessel, or a pot that answers the description.
   const Profile* made = nullptr;
   Hint hint;
+  std::string tool{};  ///< The control in the tray of what the hint asks to take; empty: nothing.
 };
 
 /// The visit as a state machine: attract -> (clay ->) choose -> throw -> result -> decorate (if the

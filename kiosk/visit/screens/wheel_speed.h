@@ -12,18 +12,19 @@ namespace onggi::screens {
 /// buttons change it in steps.
 class WheelSpeed {
  public:
-  static constexpr double kFirst = 25.0;  ///< rad/s: about 240 turns a minute.
-  static constexpr double kStep = 2.5;    ///< rad/s
-  static constexpr double kLaying = 2.5;  ///< rad/s: a ring of coil in 2.5 s.
+  static constexpr double kFirst = 25.0;   ///< rad/s: about 240 turns a minute.
+  static constexpr double kStep = 2.5;     ///< rad/s
+  static constexpr double kLaying = 3.5;   ///< rad/s: a ring of coil in 1.8 s.
+  static constexpr double kBeating = 2.0;  ///< rad/s: nine blows of the paddle in a turn.
 
   explicit WheelSpeed(const Desk& desk) : asked_(std::min(kFirst, desk.wheel().max_speed)) {}
   /// True if `control` was one of its two buttons; it then sends the speed.
   bool press(std::string_view control, const Desk& desk) {
     const bool faster = control == "throw.faster";
     if (!faster && control != "throw.slower") return false;
-    const double step = laying_ ? 0.5 * kLaying : kStep;
+    const double step = slow_ ? 0.5 * kBeating : kStep;
     asked_ = std::clamp(asked_ + (faster ? step : -step), 0.0,
-                        laying_ ? most_laying_ : desk.wheel().max_speed);
+                        slow_ ? most_slow_ : desk.wheel().max_speed);
     if (!faster && asked_ < 0.5 * step) asked_ = 0;
     send(desk);
     return true;
@@ -33,21 +34,26 @@ class WheelSpeed {
     desk.world.wheel_commands->wheel(desk.screen().left_handed ? -asked_ : asked_);
   }
   double asked() const { return asked_; }  ///< rad/s
-  /// A coil is taken up, or put away: each way of working has its speed. `most`: with a coil,
-  /// rad/s.
-  void lay(bool on, double most, const Desk& desk) {
-    most_laying_ = std::min(most, desk.wheel().max_speed);
-    if (std::exchange(laying_, on) != on)
-      std::swap(asked_, other_);
-    else if (!on)
-      return;
-    if (on) asked_ = std::min(asked_, most_laying_);
+  /// A coil or a paddle is taken up: from now on the wheel turns at `usual`, and visitors may
+  /// choose up to `most`, rad/s.
+  void slow(double usual, double most, const Desk& desk) {
+    if (!slow_) fast_ = asked_;
+    slow_ = true;
+    most_slow_ = std::min(most, desk.wheel().max_speed);
+    asked_ = std::min(usual, most_slow_);
+    send(desk);
+  }
+  /// It is put away: the speed of before.
+  void fast(const Desk& desk) {
+    if (!slow_) return;
+    slow_ = false;
+    asked_ = fast_;
     send(desk);
   }
 
  private:
-  double asked_, other_ = kLaying, most_laying_ = kLaying;
-  bool laying_ = false;
+  double asked_, fast_ = kFirst, most_slow_ = kLaying;
+  bool slow_ = false;
 };
 
 }  // namespace onggi::screens

@@ -6,6 +6,7 @@
 
 #include "engine/force/leather_hand.h"
 #include "engine/scene/hands.h"
+#include "engine/script/ring_plan.h"
 #include "engine/script/script.h"
 #include "kiosk/wheel/device/hand_device.h"
 #include "kiosk/wheel/loop/in_hand.h"
@@ -42,6 +43,9 @@ struct Take {
 struct Hold {
   InHand what = InHand::tool;
 };
+struct Swing {
+  script::Swings swings;
+};
 struct TurnWheel {
   double rad_per_s = 0.0;
 };
@@ -68,9 +72,9 @@ struct ClearFaults {
 
 using Command =
     std::variant<command::GiveBack, command::Put, command::Play, command::Attach, command::Detach,
-                 command::Lead, command::Take, command::Hold, command::TurnWheel, command::Water,
-                 command::Renew, command::Restore, command::Pause, command::Show, command::Harden,
-                 command::Decorate, command::ClearFaults>;
+                 command::Lead, command::Take, command::Hold, command::Swing, command::TurnWheel,
+                 command::Water, command::Renew, command::Restore, command::Pause, command::Show,
+                 command::Harden, command::Decorate, command::ClearFaults>;
 static_assert(std::is_trivially_copyable_v<Command>, "the queue moves it without a thought");
 
 }  // namespace onggi::loop

@@ -5,6 +5,7 @@
 
 #include "engine/force/leather_hand.h"
 #include "engine/scene/scene.h"
+#include "engine/script/ring_plan.h"
 #include "engine/script/script.h"
 #include "kiosk/wheel/loop/in_hand.h"
 
@@ -26,6 +27,8 @@ class WheelCommands {
   virtual void take(int index, std::uint8_t tool) = 0;
   /// Until another one or a new pot, which finds hand 0 with its tool.
   virtual void hold(InHand what) = 0;
+  /// How hard the paddle and its anvil strike from now on. hold() makes both full.
+  virtual void swing(const script::Swings& swings) = 0;
   virtual void wheel(double rad_per_s) = 0;
   virtual void water(bool held) = 0;
   virtual void renew() = 0;

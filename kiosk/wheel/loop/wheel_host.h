@@ -26,6 +26,7 @@ class WheelHost : public WheelCommands {
   void hand(int index, const HandInput& target) override;
   void take(int index, std::uint8_t tool) override { send(command::Take{index, tool}); }
   void hold(InHand what) override { send(command::Hold{what}); }
+  void swing(const script::Swings& swings) override { send(command::Swing{swings}); }
   void wheel(double rad_per_s) override { send(command::TurnWheel{rad_per_s}); }
   void water(bool held) override { send(command::Water{held}); }
   void renew() override { send(command::Renew{}); }

@@ -70,6 +70,7 @@ void WheelLoop::apply(const command::Put& wish) noexcept {
   lift_hands();
   taken_ = {};
   in_hand_ = InHand::tool;
+  swings_ = {};
   status_.scene_serial = pot_->serial;
   paused_ = shown_ = false;
 }
@@ -119,6 +120,7 @@ void WheelLoop::apply(const command::Hold& wish) noexcept {
   // A hand that leaves the rim with its coil must not come back as a fingertip in it.
   if (in_hand_ != wish.what) off_ = kOff;
   in_hand_ = wish.what;
+  swings_ = {};
 }
 
 void WheelLoop::apply(const command::Pause& wish) noexcept {
@@ -181,7 +183,9 @@ void WheelLoop::beat(double dt, HandInput& hand) noexcept {
   const bool there = led ? led_ : status_.feedback.hand[0].contact;
   hand.tool = 0;
   hand.coil = false;
-  hand.paddle = hand.anvil = true;
+  hand.paddle = true;
+  hand.swing = swings_.paddle;
+  hand.anvil = swings_.anvil;
   hand.blow = paddle_.step(hand.active && there, dt);
   // A visitor's own hand swings by itself.
   const double out = axis_distance(hand.position);

@@ -82,6 +82,7 @@ class WheelLoop {
   void apply(const command::Lead& wish) noexcept;
   void apply(const command::Take& wish) noexcept;
   void apply(const command::Hold& wish) noexcept;
+  void apply(const command::Swing& wish) noexcept { swings_ = wish.swings; }
   void apply(const command::TurnWheel& wish) noexcept { asked_.wheel_speed = wish.rad_per_s; }
   void apply(const command::Water& wish) noexcept { asked_.water = wish.held; }
   void apply(const command::Renew&) noexcept { asked_.renew = true; }
@@ -112,6 +113,7 @@ class WheelLoop {
   std::array<std::optional<std::uint8_t>, kMaxHands> taken_{};
   InHand in_hand_ = InHand::tool;
   Paddle paddle_;
+  script::Swings swings_;
   bool led_ = false;  ///< The screens want hand 0 on the clay.
   double off_ = 0;    ///< s for which all hands stay off freshly laid clay.
   Hands asked_;       ///< Wheel, water and the one-tick requests; hands come from the devices.

@@ -37,6 +37,16 @@ TEST(Lesson, TheExhibitsOwnIsWithoutFaultAndGoesFromTouchToRim) {
   EXPECT_LE(seconds, 95) << "most visitors stay about two minutes";
 }
 
+TEST(Lesson, TheExhibitsOwnForBuildingGoesFromTheFirstRingToTheLastBlow) {
+  const LessonRead r = read_lesson("content/lessons/building.toml", {"en", "ko"});
+  EXPECT_THAT(r.problems, IsEmpty()) << to_text(r.problems.front());
+  std::vector<DoneWhen> until;
+  for (const LessonStep& step : r.steps) until.push_back(step.until);
+  EXPECT_THAT(until, ::testing::ElementsAre(DoneWhen::laid, DoneWhen::built, DoneWhen::ringing,
+                                            DoneWhen::beaten));
+  for (const LessonStep& step : r.steps) EXPECT_NE(step.words_in("ko"), step.words_in("en"));
+}
+
 TEST_F(LessonTest, AGoodStepIsReadWhole) {
   const LessonRead r = read(step("open", "hands = \"inside\"\nuntil = \"opened\"\nafter = 7.5\n"));
   EXPECT_THAT(r.problems, IsEmpty());

@@ -122,8 +122,10 @@ TEST(ShelfPacks, a_language_that_one_label_has_all_labels_glazes_steps_and_scree
     EXPECT_EQ(languages_of(glaze.name), all) << glaze.id;
     EXPECT_EQ(languages_of(glaze.about), all) << glaze.id;
   }
-  for (const LessonStep& step : read_lesson("content/lessons/first_minute.toml").steps)
-    EXPECT_EQ(languages_of(step.words), all) << step.id;
+  for (const char* lesson : {"first_minute", "building"})
+    for (const LessonStep& step :
+         read_lesson("content/lessons/" + std::string(lesson) + ".toml").steps)
+      EXPECT_EQ(languages_of(step.words), all) << step.id;
 }
 
 TEST(ShelfPacks, every_label_is_whole_in_each_of_its_languages) {

@@ -67,6 +67,7 @@ class Overheard final : public loop::WheelCommands {
   }
   void take(int index, std::uint8_t tool) override { wheel_.take(index, tool); }
   void hold(loop::InHand what) override { wheel_.hold(what); }
+  void swing(const script::Swings& swings) override { wheel_.swing(swings); }
   void wheel(double speed) override { wheel_.wheel(speed); }
   void water(bool held) override { wheel_.water(held); }
   void renew() override { wheel_.renew(); }

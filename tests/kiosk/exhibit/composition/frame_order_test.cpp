@@ -386,6 +386,7 @@ TEST(KioskMembers, WhatIsUsedOutlivesItsUsers) {
            {"scenes_", {"shelf_", "missions_", "pot_"}},
            {"languages_", {"keeping_", "visit_"}},
            {"lesson_", {"visit_"}},
+           {"build_lesson_", {"visit_"}},
            {"renderer_", {"pot_", "keeping_", "visit_"}},
            {"wheel_host_", {"sound_", "devices_", "pot_", "keeping_", "visit_"}},
            {"devices_", {"visit_"}},

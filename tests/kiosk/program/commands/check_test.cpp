@@ -48,7 +48,8 @@ TEST_F(CopiedSite, IsWhatIsCheckedWhereOneStandsInItAndEachOfItsFilesIsNamed) {
   for (const char* name :
        {"config/exhibit.toml", "config/scenes/first_touch.toml", "config/rubric.toml",
         "content/languages/en.toml", "content/languages/ko.toml", "content/glazes.toml",
-        "content/missions.toml", "content/lessons/first_minute.toml", "content/ways/celadon.toml",
+        "content/missions.toml", "content/lessons/first_minute.toml",
+        "content/lessons/building.toml", "content/ways/celadon.toml",
         "content/vessels/moon_jar/vessel.toml", "content/vessels/moon_jar/profile.toml",
         "content/vessels/tea_bowl/vessel.glb"})
     EXPECT_NE(run.out.find("checked " + at(name) + "\n"), std::string::npos) << name << run.out;
@@ -237,7 +238,8 @@ TEST_F(CopiedSite, ATranslatorWritesOneFileAndItsFaultsAreNamedThere) {
   };
   add("content/glazes.toml", "glaze", "name = \"Groen\"\n");
   add("content/missions.toml", "mission", "title = \"Een liter\"\nabout = \"Maak het.\"\n");
-  add("content/lessons/first_minute.toml", "lesson", "words = \"Raak de klei aan.\"\n");
+  for (const char* lesson : {"content/lessons/first_minute.toml", "content/lessons/building.toml"})
+    add(lesson, "lesson", "words = \"Raak de klei aan.\"\n");
   std::ofstream(at("content/languages/nl.toml")) << words;
   const Outcome good = check();
   EXPECT_EQ(good.exit_code, 0) << good.err;

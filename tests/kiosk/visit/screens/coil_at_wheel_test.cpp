@@ -40,7 +40,7 @@ struct AtABuiltPot : Visitor {
 TEST(CoilAtWheel, APotThatIsBuiltBeginsWithACoilInTheHandOnASlowWheel) {
   AtABuiltPot v;
   EXPECT_TRUE(v.wheel_commands.coil);
-  EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), WheelSpeed::kLaying);
   EXPECT_NE(words_in(v.frame).find("Hold the coil on the rim"), std::string::npos);
   EXPECT_NE(words_in(v.frame).find("Lay a ring"), std::string::npos);
   v.touch("throw.tools");
@@ -54,7 +54,7 @@ TEST(CoilAtWheel, APotThatIsBuiltBeginsWithACoilInTheHandOnASlowWheel) {
   v.touch("throw.tools");
   v.touch("throw.tool.1");
   EXPECT_TRUE(v.wheel_commands.coil);
-  EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), WheelSpeed::kLaying);
 }
 
 TEST(CoilAtWheel, APotThatIsHighEnoughBeginsWithTheHands) {

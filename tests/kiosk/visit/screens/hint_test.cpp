@@ -39,7 +39,7 @@ TEST(Hint, AWallThatIsBuiltComesBeforeItsShape) {
   Profile low = jar(0.05);
   for (ProfilePoint& p : low.points) p.height *= 0.2;
   Seen in(target, low);
-  in.coil = 0.013;
+  in.built.emplace().lacks_a_ring = true;
   in.coil_held = true;
   EXPECT_EQ(next_hint(in).key, "hint.lay_coil");
   in.coil_held = false;
@@ -48,11 +48,30 @@ TEST(Hint, AWallThatIsBuiltComesBeforeItsShape) {
   EXPECT_EQ(next_hint(in).place, "tool.flat_rib") << "the name on the button";
   const Profile high = jar(0.05);
   Seen built(target, high);
-  built.coil = 0.013;
+  built.built.emplace();
   built.coil_held = true;
   EXPECT_EQ(next_hint(built).key, "hint.high_enough");
   built.coil_held = false;
   EXPECT_EQ(next_hint(built).key, "hint.press_out") << "as of any pot";
+}
+
+TEST(Hint, AWallOfRingsIsBeatenUntilItIsThinAndOnTheLine) {
+  const Profile target = jar(0.08), made = jar(0.07);
+  Seen in(target, made);
+  in.built.emplace().to_beat = true;
+  in.tools_way = "throw.tools";
+  EXPECT_EQ(next_hint(in).key, "hint.take_paddle");
+  in.paddle_held = true;
+  in.built->worst = Hint::Press{0.12, true};
+  EXPECT_EQ(next_hint(in).key, "hint.beat");
+  ASSERT_TRUE(next_hint(in).press);
+  EXPECT_EQ(next_hint(in).press->height, 0.12) << "here most";
+  in.built->to_beat = false;
+  EXPECT_EQ(next_hint(in).key, "hint.press_out") << "too low or too high: blows help no more";
+  in.built->beaten = true;
+  EXPECT_EQ(next_hint(in).key, "hint.beaten");
+  in.built.reset();
+  EXPECT_EQ(next_hint(in).key, "hint.beat") << "a thrown pot may be beaten, too";
 }
 
 TEST(Hint, ABellyTooNarrowWantsTheHandInside) {

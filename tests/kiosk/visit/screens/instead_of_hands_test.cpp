@@ -16,7 +16,7 @@ struct AtAPaddle : Visitor {
   explicit AtAPaddle(bool built = false, bool by_buttons = false) {
     exhibit.screen.spoken = by_buttons;
     for (ShelfCard& card : shelf) {
-      card.wheel.face = 0.03;
+      card.wheel.beating.emplace().face = 0.03;
       card.wheel.max_speed = 8.0;
       card.wheel.tools = {{0, "paddle", 0.03, 0.03},
                           {kCuttingWire, "wire", 0.0005, 0.0005},
@@ -45,7 +45,7 @@ TEST(InsteadOfHands, ThePaddleIsHeldOnASlowWheelUntilAnotherToolIsTaken) {
   const double fast = v.wheel_commands.wheels.back();
   v.take(1);
   EXPECT_TRUE(v.wheel_commands.paddle);
-  EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), WheelSpeed::kBeating);
   EXPECT_NE(words_in(v.frame).find("Hold the paddle on the wall"), std::string::npos);
   EXPECT_NE(words_in(v.frame).find("Beat the wall"), std::string::npos);
   v.take(3);
@@ -84,12 +84,60 @@ TEST(InsteadOfHands, CoilAndPaddleTakeEachOthersPlace) {
     EXPECT_FALSE(v.wheel_commands.paddle);
     EXPECT_TRUE(v.wheel_commands.coil);
   }
-  EXPECT_EQ(v.wheel_commands.wheels.back(), 2.5);
+  EXPECT_EQ(v.wheel_commands.wheels.back(), WheelSpeed::kLaying);
   // A paddle may be faster than the rim takes a coil.
   v.take(2);
   for (int n = 0; n < 4; ++n) v.touch("throw.faster");
   v.take(1);
   EXPECT_LT(v.wheel_commands.wheels.back() * v.shelf[0].target.max_radius(), v.wheel.pace);
+}
+
+/// A built pot whose rings are laid: a cylinder of 8 mm of clay more than its vessel's wall.
+struct AtAThickWall : AtAPaddle {
+  AtAThickWall() : AtAPaddle(true) {
+    for (ShelfCard& card : shelf) {
+      card.wheel.coil = 0.013;
+      const double high = clay.rim_height(), wide = clay.mean_outer(clay.rows() - 1);
+      card.target.points = {
+          {0.0, wide, 0.0}, {0.01, wide, wide - 0.006}, {high, wide, wide - 0.006}};
+    }
+  }
+};
+
+TEST(InsteadOfHands, APaddleStrikesAsHardAsTheWallInFrontOfItNeeds) {
+  AtAThickWall v;
+  v.take(2);
+  ASSERT_TRUE(v.wheel_commands.paddle);
+  v.frames(2);
+  ASSERT_FALSE(v.wheel_commands.swings.empty());
+  const script::Swings before = v.wheel_commands.swings.back();
+  // The vessel is wider now: the anvil strikes harder.
+  for (ShelfCard& card : v.shelf)
+    for (ProfilePoint& p : card.target.points) p.outer += 0.02, p.height *= 1.001;
+  v.frames(2);
+  const script::Swings wider = v.wheel_commands.swings.back();
+  EXPECT_GT(wider.anvil - wider.paddle, before.anvil - before.paddle + 0.1);
+}
+
+TEST(InsteadOfHands, WhenTheLastRingClosesThePaddleIsTakenUpAndHintsSayWhereItIsNeeded) {
+  AtAThickWall v;
+  for (ShelfCard& card : v.shelf)
+    for (ProfilePoint& p : card.target.points) p.height *= 12.0;
+  v.frames(2);
+  v.take(1);
+  ASSERT_TRUE(v.wheel_commands.coil);
+  for (ShelfCard& card : v.shelf)
+    for (ProfilePoint& p : card.target.points) p.height /= 12.0;
+  v.frames(3);
+  EXPECT_FALSE(v.wheel_commands.coil);
+  EXPECT_TRUE(v.wheel_commands.paddle);
+  EXPECT_NE(words_in(v.frame).find("Hold the paddle on the wall"), std::string::npos);
+  ASSERT_TRUE(v.visit->sight());
+  EXPECT_TRUE(v.visit->sight()->hint.press);
+  v.take(0);
+  v.frames(3);
+  EXPECT_NE(words_in(v.frame).find("then “Paddle”"), std::string::npos);
+  EXPECT_EQ(v.visit->sight()->tool, "throw.tool.2");
 }
 
 TEST(InsteadOfHands, AFingerLeadsThePaddleAndLetsGoOfIt) {
@@ -147,7 +195,7 @@ TEST(InsteadOfHands, APotThatComesBackFromItsResultIsNotBeaten) {
 TEST(InsteadOfHands, TwoVisitorsHaveNeither) {
   VisitInputs world;
   std::vector<ShelfCard> shelf(1);
-  shelf[0].wheel.face = 0.03;
+  shelf[0].wheel.beating.emplace();
   world.shelf = &shelf;
   Desk desk(world);
   desk.card = 0;

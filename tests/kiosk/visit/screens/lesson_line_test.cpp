@@ -236,6 +236,72 @@ TEST(LessonLine, WhoComesByKeysReadsOfKeysAtOnce) {
   EXPECT_TRUE(says(v, "press a little"));
 }
 
+// A built pot has its own lesson, and its own place in it.
+struct Builder : Visitor {
+  static constexpr double kTall = 12.0;  ///< The clay here has a thick wall.
+  Builder() {
+    build_lesson = content::read_lesson("content/lessons/building.toml", {"en", "ko"}).steps;
+    EXPECT_EQ(build_lesson.size(), 4u);
+    for (ShelfCard& card : shelf) {
+      card.wheel.coil = 0.013;
+      card.wheel.beating.emplace();
+      card.wheel.floor = 0.5 * clay.rim_height();  // so that a ring is laid
+      card.wheel.tools = {{0, "coil", 0.0065, 0.0065}, {0, "paddle", 0.02, 0.02}};
+      set(card.target, kTall);
+    }
+  }
+  /// A vessel `times` as high as the clay, with a wall as wide.
+  void set(Profile& target, double times) const {
+    const double wide = clay.mean_outer(clay.rows() - 1), high = times * clay.rim_height();
+    target.points = {{0.0, wide, 0.0}, {high, wide, wide - 0.006}};
+  }
+  void set_all(double times) {
+    for (ShelfCard& card : shelf) set(card.target, times);
+  }
+};
+
+TEST(LessonLine, WhoBuildsIsLedFromTheFirstRingToTheLastBlow) {
+  Builder v;
+  for (ShelfCard& card : v.shelf) card.wheel.floor = v.clay.rim_height();
+  v.throw_a_pot();
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "floor’s edge")) << words_in(v.frame);
+  for (ShelfCard& card : v.shelf) card.wheel.floor = 0.5 * v.clay.rim_height();
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "Ring on ring"));
+  v.set_all(0.3);  // enough clay for this one, which is wider
+  for (ShelfCard& card : v.shelf)
+    for (ProfilePoint& p : card.target.points) p.outer += 0.02;
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "Dull blows"));
+  v.status.feedback.wetness = 0.6;
+  v.status.feedback.hand[0].blow = 200.0;
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "Dull blows")) << "this one was dull";
+  v.status.feedback.wetness = 0.1;
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "slowly up and down"));
+  v.set_all(0.31);
+  v.frames(0.5);
+  EXPECT_FALSE(says(v, "slowly up and down")) << "it is on the line";
+}
+
+TEST(LessonLine, WhoKnowsHowToThrowIsStillTaughtToBuild) {
+  Builder v;
+  v.lesson = content::read_lesson("content/lessons/first_minute.toml", {"en", "ko"}).steps;
+  std::optional<SceneForVisitor> built = v.shelf[0].wheel;
+  v.shelf[0].wheel.coil.reset();
+  v.throw_a_pot();
+  v.frames(0.3);
+  EXPECT_TRUE(says(v, "press a little"));
+  v.touch("throw.skip");
+  v.frames(0.3);
+  EXPECT_FALSE(says(v, "press a little"));
+  v.shelf[0].wheel = *built;
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "Ring on ring")) << words_in(v.frame);
+}
+
 TEST(LessonLine, WithoutALessonTheHintStandsThere) {
   Visitor v;
   v.throw_a_pot();

@@ -112,6 +112,7 @@ Visitor::Visitor(int count, const view::TextMeasure* measure, bool kiln, bool ke
   world.measure = counting.get();
   world.wheel = &view;
   world.lesson = &lesson;
+  world.build_lesson = &build_lesson;
   world.wheel_commands = &wheel_commands;
   world.devices = &news;
   world.todays = &todays;

@@ -43,6 +43,7 @@ class RecordedCommands final : public loop::WheelCommands {
     coil = what == loop::InHand::coil;
     paddle = what == loop::InHand::paddle;
   }
+  void swing(const script::Swings& now) override { swings.push_back(now); }
   void wheel(double rad_per_s) override { wheels.push_back(rad_per_s); }
   void water(bool held) override { waters.push_back(held); }
   void renew() override { ++renewed; }
@@ -57,6 +58,7 @@ class RecordedCommands final : public loop::WheelCommands {
   bool refresh_every_row() override { return ++settled > 0 && answers; }
 
   std::vector<HandInput> hands;
+  std::vector<script::Swings> swings;
   std::vector<double> wheels;
   std::vector<bool> waters;
   std::vector<bool> pauses;
@@ -123,7 +125,8 @@ class Visitor {
   std::vector<content::Vessel> vessels;
   std::vector<ShelfCard> shelf;
   std::vector<content::Glaze> glazes;
-  std::unique_ptr<decoration::Way> way;     // none as it comes
+  std::unique_ptr<decoration::Way> way;  // none as it comes
+  std::vector<content::LessonStep> build_lesson;
   std::vector<content::LessonStep> lesson;  // likewise
   std::vector<TodaysPot> todays;            // likewise
   std::deque<settings::Mission> on;         // likewise

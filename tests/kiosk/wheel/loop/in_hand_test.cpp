@@ -76,5 +76,32 @@ TEST(Paddle, OfAForceDeviceBeatsWhileItRestsOnTheWallAndAtNoOtherTime) {
   EXPECT_EQ(blows, struck);
 }
 
+TEST(Paddle, StrikesAsHardAsTheScreensSayUntilItIsTakenUpAnew) {
+  SceneDef def = small_scene();
+  def.clay.inner_radius = 0.045;
+  def.volume.emplace();
+  def.beating.emplace();
+  double deep = 0.001;
+  int blows = 0;
+  SteppedWheel host;
+  host.start(pot(def));
+  host.attach(std::make_unique<RestingHand>(def, deep, blows), 0);
+  host.hold(InHand::paddle);
+  host.advance(10);
+  EXPECT_EQ(host.status().hands.hand[0].swing, 1.0);
+  EXPECT_EQ(host.status().hands.hand[0].anvil, 1.0);
+  host.swing({0.25, 0.75});
+  host.advance(10);
+  EXPECT_EQ(host.status().hands.hand[0].swing, 0.25);
+  EXPECT_EQ(host.status().hands.hand[0].anvil, 0.75);
+  host.hold(InHand::paddle);
+  host.advance(10);
+  EXPECT_EQ(host.status().hands.hand[0].swing, 1.0);
+  host.hold(InHand::tool);
+  host.swing({0.25, 0.75});
+  host.advance(10);
+  EXPECT_EQ(host.status().hands.hand[0].anvil, 0.0) << "no paddle";
+}
+
 }  // namespace
 }  // namespace onggi::loop::in_hand_test
