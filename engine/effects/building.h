@@ -53,7 +53,7 @@ class Building {
   /// gap narrower than the coil closes: a rim with a notch would keep a ring open for ever. `step`:
   /// clay::History::depth(). Returns whether the coil rests on the rim. A ring for which there is
   /// no room is not begun: below BuildingDef::tallest, in the rows, within radius_max. O(sectors
-  /// passed).
+  /// passed), and O(sectors) where something was laid.
   bool lay(const BuildingDef& def, Clay& clay, Vec3 from, Vec3 to, double seconds,
            std::uint64_t step) noexcept;
   const LaidCoil& laid() const { return laid_; }

@@ -37,8 +37,8 @@ class LaidCoil {
 
   /// Lays `sector`, which was free, in step `step` (clay::History::depth()).
   void lay(int sector, float centre, std::uint64_t step) noexcept;
-  /// Gaps narrower than `length` (m) between two laid sectors are laid on a straight line from one
-  /// to the other; none wider than an eighth of the ring. O(sectors).
+  /// Gaps narrower than `length` (m), by their arc at the end nearer to the axis, are laid evenly
+  /// from one end to the other; none wider than an eighth of the ring. O(sectors).
   void close_gaps(double length, std::uint64_t step) noexcept;
   /// A row that a ring of coil became.
   struct Row {

@@ -40,7 +40,8 @@ void HandState::leave() noexcept {
 
 bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep& sweep) noexcept {
   const bool good = plausible(in.position) && plausible(in.handle) && std::isfinite(in.roll) &&
-                    is_share(in.swing) && is_share(in.anvil) && in.tool < tools.size();
+                    (!in.paddle || (is_share(in.swing) && is_share(in.anvil))) &&
+                    in.tool < tools.size();
   if (!good) guard.release();
   if (!good && !present) return false;
   const bool holds_coil = in.coil && !in.paddle;
@@ -68,10 +69,11 @@ bool HandState::take(const HandInput& in, std::span<const Tool> tools, ToolSweep
   at = to;
   present = true;
   if (good) {
-    strikes = paddle && in.blow && !blow;
-    blow = paddle && in.blow;
     swing = paddle ? in.swing : 1.0;
     anvil = paddle ? in.anvil : 0.0;
+    // Without energy it is no blow, and no step to take back.
+    strikes = paddle && in.blow && !blow && std::max(swing, anvil) > 0.0;
+    blow = paddle && in.blow;
     if (!blow || strikes) struck = 0.0;
   }
   return good;

@@ -28,8 +28,8 @@ struct HandInput {
   /// Only where the scene has BeatingDef; before a coil. A change lifts the hand.
   bool paddle = false;
   double anvil = 0.0;  ///< How hard an anvil behind the wall comes against the paddle: share of
-                       ///< BeatingDef::energy, 0..1. 0: there is none, and a hand on the other face
-                       ///< holds the wall, as far as it reaches.
+                       ///< BeatingDef::energy, 0..1. 0: there is none. A hand on the other face
+                       ///< holds the wall too, as far as it reaches; the harder one counts.
   double swing = 1.0;  ///< How hard the paddle strikes: share of the energy, 0..1.
   bool blow = false;   ///< The paddle strikes the wall in front of `position`, once, in the tick in
                        ///< which this becomes true, and lies there until it is false.
@@ -64,7 +64,8 @@ struct HandFeedback {
   bool contact = false;  ///< It presses the clay, its coil rests on the rim, or its
                          ///< paddle on the wall.
   double blow = 0.0;  ///< Force of its blow while the paddle lies there, N: the mean while the clay
-                      ///< yielded. 0: none, or it missed.
+                      ///< yielded, times the share of the energy that it had, so that a light blow
+                      ///< is felt lightly. 0: none, or it missed.
   Vec3 blow_out;      ///< The way back from that blow; unit, studio frame.
   WallSide side = WallSide::outside;  ///< Face of the wall; on the rim, the face it came from.
   Place place = Place::outside;       ///< Where it works, or would work if it is clear.

@@ -211,17 +211,14 @@ effects::Blow Scene::State::blow_of(const Tick& tick, std::size_t n) const noexc
                                                      : wish == SideWish::outside;
   effects::Blow blow{true, at, outside ? WallSide::outside : WallSide::inside,
                      tools[h.tool].size.radius};
-  if (h.anvil > 0.0) {
-    blow.squeezes = std::min(h.swing, h.anvil);
-    blow.moves = h.swing - h.anvil;
-    return blow;
-  }
   const bool holds = presses(other) && row_effects->holds(1 - n) &&
                      (other.contact.side() == WallSide::outside) != outside;
   const WallsDef& walls = def.walls ? *def.walls : WallsDef{};
   const double held = holds ? effects::wall_support(walls, way, tick.sweep[1 - n].to) : 0.0;
-  blow.squeezes = h.swing * held;
-  blow.moves = h.swing * (1.0 - held);
+  // Whichever is harder behind the wall: else the weakest anvil would take the hand's place.
+  const double against = std::max(h.anvil, h.swing * held);
+  blow.squeezes = std::min(h.swing, against);
+  blow.moves = h.swing - against;
   return blow;
 }
 
