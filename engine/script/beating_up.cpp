@@ -10,15 +10,13 @@
 namespace onggi::script {
 namespace {
 
-constexpr double kBeat = 0.34;     // s at pace 1, from blow to blow, as visitors' paddles
-constexpr double kLies = 0.12;     // s at pace 1: how long the paddle stays on the wall
-constexpr double kToSpeed = 1.0;   // s
-constexpr double kSwing = 0.03;    // m: how far the paddle is drawn back
-constexpr double kAway = 0.001;    // m between the hand's ball and the wall as the paddle strikes
-constexpr double kBand = 1.0;      // faces that the paddle goes up in a turn of the wheel
-constexpr double kLeast = 3.0;     // turns: a pot that is built begins as a low floor
-constexpr double kFromFoot = 0.2;  // faces above the floor
-constexpr double kFromRim = 0.15;  // faces below the rim
+constexpr double kBeat = 0.34;    // s at pace 1, from blow to blow, as visitors' paddles
+constexpr double kLies = 0.12;    // s at pace 1: how long the paddle stays on the wall
+constexpr double kToSpeed = 1.0;  // s
+constexpr double kSwing = 0.03;   // m: how far the paddle is drawn back
+constexpr double kAway = 0.001;   // m between the hand's ball and the wall as the paddle strikes
+constexpr double kBand = 1.0;     // faces that the paddle goes up in a turn of the wheel
+constexpr double kLeast = 3.0;    // turns: a pot that is built begins as a low floor
 
 const BeatingDef& law_of(const SceneDef& scene) {
   static const BeatingDef kUsual;

@@ -15,6 +15,8 @@ Plan beat_wall;
 class PaddleUp {
  public:
   static constexpr double kSpeed = 2.0;  ///< rad/s of the wheel at pace 1.
+  /// How near to floor and rim the middle of a blow may be, faces.
+  static constexpr double kFromFoot = 0.2, kFromRim = 0.15;
 
   /// `pace` multiplies the blows' rhythm. `plan`: says how hard each blow is; null: every one full.
   PaddleUp(const SceneDef& scene, double pace, const RingPlan* plan);

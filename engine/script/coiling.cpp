@@ -20,6 +20,7 @@ constexpr double kOnTop = 0.0005;     // m inside the wall's edge
 constexpr double kTurns = 1.1;        // over a ring: the wheel has a little to spare
 constexpr double kSpinUp = 1.0;       // s
 constexpr double kBetween = 0.8;      // s at pace 1, from one ring to the next
+constexpr double kRisen = 0.3;        // of that: the ring below has become clay
 constexpr double kAbove = 0.04;       // m: where the hand waits
 constexpr double kPressed = 0.0005;   // m: how deep the coil rests on the rim
 constexpr int kWays = 4;              // that the paddle goes up or down a vessel, at most
@@ -39,13 +40,16 @@ class CoilUp {
   double wheel() const { return wheel_; }  ///< rad/s
   double ring() const { return ring_; }    ///< s
 
-  /// `t` s after the first call. True as the first ring begins, and as one has closed.
+  /// `t` s after the first call. True as the first ring begins, and as the next one does after one
+  /// has closed and risen.
   bool begins(double t, const Clay& clay) noexcept {
-    // A wet wall sags meanwhile.
-    const bool rose = clay.rim_height() > rim_ + 0.5 * coil_;
-    rim_ = rose ? clay.rim_height() : std::min(rim_, clay.rim_height());
-    if (rose) began_ = t;
-    return rose;
+    const double rim = clay.rim_height();
+    if (rim > rim_ + 0.5 * coil_) began_ = t, rises_ = true;
+    // A ring rises for some ticks, and a wet wall sags.
+    rim_ = rises_ ? rim : std::min(rim_, rim);
+    if (!rises_ || t - began_ < kRisen * between_) return false;
+    rises_ = false;
+    return true;
   }
   /// `wanted`: where the coil's middle belongs, m from the axis. The hand waits above unless it
   /// `lays`.
@@ -88,6 +92,7 @@ class CoilUp {
   double ring_ = 0.0;   // s
   double rim_ = -1.0;   // m, of this ring; none yet
   double began_ = 0.0;  // s
+  bool rises_ = true;
 };
 
 // Five rings, one on the other.
@@ -138,11 +143,12 @@ class BuildingUp final : public Script {
     if (since < 0.0 || t >= duration() || done_) return hands;
     if (beats_from_ < 0.0) {
       if (coil_.begins(since, clay)) {
+        begun_ = true;
         lacks_ = plan_.lacks_a_ring(clay);
         wanted_ = plan_.next_ring(clay);
       }
       hands.hand[0] = coil_.at(since, lacks_, wanted_, clay);
-      if (!lacks_) beats_from_ = since + kSpinUp;
+      if (begun_ && !lacks_) beats_from_ = since + kSpinUp;
     } else if (beats >= 0.0 && plan_.beats()) {
       const auto way = static_cast<int>(beats / way_);
       const double share = beats / way_ - way;
@@ -174,7 +180,7 @@ class BuildingUp final : public Script {
   PaddleUp paddle_;
   double beating_wheel_, way_;  // rad/s, s
   int rings_;
-  bool lacks_ = false, done_ = false;
+  bool begun_ = false, lacks_ = false, done_ = false;
   double wanted_ = 0.0;       // m from the axis
   double beats_from_ = -1.0;  // s; less than 0: rings are laid
   int way_now_ = 0;

@@ -10,18 +10,19 @@ namespace onggi::script {
 namespace {
 
 constexpr int kSlices = 200;
-constexpr double kThin = 0.55;           // of a ring's wall as laid: how thin it is beaten
-constexpr double kMostRadius = 0.6;      // of the vessel's radius: the thickest that a wall may be
-constexpr double kMostSlope = 2.0;       // how much thicker, level, a wall gets by its slope
-constexpr double kMostOfARing = 0.6;     // where less clay is missing, no ring is laid
-constexpr double kLean = 0.4;            // coils from ring to ring, inwards
-constexpr double kGain = 0.6;            // of the way to the line in one blow
-constexpr double kSqueeze = 1.1;         // of the way to the thin wall in one blow
-constexpr double kFirmness = 0.8;        // of dry clay: coils are a little wet
-constexpr double kMuchWorse = 1.5;       // times: from there on another band is the worst
-constexpr double kBeatenWall = 1.12;     // times as thick as planned
-constexpr double kBeatenLine = 0.01;     // of the vessel's height, RMS
-constexpr double kBeatenHeight = 0.025;  // of the vessel's
+constexpr double kThin = 0.55;          // of a ring's wall as laid: how thin it is beaten
+constexpr double kMostRadius = 0.6;     // of the vessel's radius: the thickest that a wall may be
+constexpr double kMostSlope = 2.0;      // how much thicker, level, a wall gets by its slope
+constexpr double kMostOfARing = 0.6;    // where less clay is missing, no ring is laid
+constexpr double kLean = 0.4;           // coils from ring to ring, inwards
+constexpr double kGain = 0.6;           // of the way to the line in one blow
+constexpr double kSqueeze = 1.1;        // of the way to the thin wall in one blow
+constexpr double kThickEnough = 1.03;   // times as planned: a blow does not thin such a wall
+constexpr double kFirmness = 0.8;       // of dry clay: coils are a little wet
+constexpr double kMuchWorse = 1.5;      // times: from there on another band is the worst
+constexpr double kBeatenWall = 1.12;    // times as thick as planned
+constexpr double kBeatenLine = 0.01;    // of the vessel's height, RMS
+constexpr double kBeatenHeight = 0.05;  // of the vessel's
 
 double ring_area(double outer, double inner) {
   return portable::kPi * (outer * outer - inner * inner);
@@ -169,11 +170,12 @@ bool RingPlan::lacks(const Pot& pot, double has) const {
 
 template <class Pot>
 double RingPlan::next(const Pot& pot) const {
+  if (pot.rows() == 0) return 0.0;
   if (!beats())
     return target_.outer_at(std::min(pot.rim_height() + law_.coil, target_.height())) -
            0.5 * law_.coil;
   const double ring = ring_clay(mean_outer(pot, pot.rows() - 1) - 0.5 * law_.coil);
-  return at_share((wall_clay(pot) + 0.5 * ring) / clay_).laid;
+  return at_share((wall_clay(pot) + 0.5 * ring) / clay_).laid - law_.drift * law_.coil;
 }
 
 template <class Pot>
@@ -196,7 +198,7 @@ Swings RingPlan::strike(const Pot& pot, double height, std::optional<double> ang
   const double load = portable::kPi * stress * here.wall * here.wall;
   const double moves = std::min(kGain * std::fabs(off) * load / beating_->energy, 1.0);
   const double pressure = stress * (1.0 + 2.0 * face / (3.0 * std::sqrt(3.0) * here.wall));
-  const double thins = kSqueeze * (here.wall - here.wall / thick);
+  const double thins = kSqueeze * std::max(here.wall - kThickEnough * place.wall, 0.0);
   const double work = pressure * thins * portable::kPi / 3.0 * face * face;
   const double squeezes = std::min(work / beating_->energy, 1.0 - moves);
   const double harder = squeezes + moves;

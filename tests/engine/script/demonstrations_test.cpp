@@ -201,6 +201,17 @@ TEST(Demonstrations, BuildBeatsItsRingsOutToALineThatCoilsAloneDoNotFollow) {
   }
 }
 
+// A ring rises for some ticks: on fine grids one counted twice.
+TEST(Demonstrations, CoilUpLaysFiveRingsOnAFineGridToo) {
+  SceneDef def = everything();
+  def.building.emplace().coil = 0.018;
+  def.clay.rows = 80;
+  def.clay.sectors = 512;
+  def.clay.height = def.clay.floor_thickness = 0.010;
+  const Thrown pot = play("coil_up", def);
+  EXPECT_NEAR(pot.scene.clay().rim_height(), 0.010 + 5 * 0.89 * 0.018, 0.006);
+}
+
 TEST(Demonstrations, CoilUpAlsoHeightensAWallThatWasThrown) {
   SceneDef def = everything();
   def.building.emplace().tallest = 0.4;

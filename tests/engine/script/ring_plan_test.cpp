@@ -18,6 +18,7 @@ constexpr BeatingDef kSoft{0.15, 0.03, 16e3};  // as in config/scenes/built.toml
 BuildingDef thick_coil() {
   BuildingDef law;
   law.coil = 0.018;
+  law.drift = 0.0;
   return law;
 }
 
@@ -56,6 +57,10 @@ TEST(RingPlan, LaysRingsInsideTheLineAsFarAsBlowsWillWidenThem) {
   const double wall = 0.55 * ring_wall();
   EXPECT_NEAR(laid * std::sqrt(ring_wall() / wall) + 0.5 * wall, 0.08, 1e-6);
   EXPECT_TRUE(plan.lacks_a_ring(low));
+  BuildingDef drifts = thick_coil();
+  drifts.drift = 0.1;
+  const RingPlan holds_back(cylinder(0.08, 0.2), kFloor, drifts, kSoft);
+  EXPECT_NEAR(holds_back.next_ring(low), laid - 0.1 * drifts.coil, 1e-9) << "coils lean out";
 }
 
 TEST(RingPlan, RingsThatWaitForBlowsTogetherHoldTheVesselsClay) {
