@@ -53,7 +53,14 @@ class Wall {
     hands.wheel_speed = plan_.wheel;
     hands.hand[0].active = true;
     hands.hand[0].position = rendered ? haptics_.tool(at, LoopPlan::kSeconds, limits_) : at;
+    hands.hand[0].paddle = plan_.paddle;
+    hands.hand[0].anvil = plan_.paddle ? 1.0 : 0.0;
+    const double beat = plan_.beats > 0.0 ? std::fmod(time_ / plan_.beats, 1.0) : 1.0;
+    hands.hand[0].blow = beat < 1.0 / 3.0;
+    time_ += LoopPlan::kSeconds;
     felt_ = scene_->step(hands, LoopPlan::kSeconds).hand[0];
+    if ((felt_.blow > 0.0) != struck_) haptics_.strike(felt_.blow, felt_.blow_out);
+    struck_ = felt_.blow > 0.0;
     if (plan_.wall == LoopWall::filtered_engine) return filter_.filter(felt_.force);
     return rendered ? guarded() : felt_.force;
   }
@@ -89,6 +96,8 @@ class Wall {
   HandFeedback felt_;
   Vec3 last_, force_;
   double decay_ = 0.0;
+  double time_ = 0.0;  // s
+  bool struck_ = false;
 };
 
 /// Half of the widest way along an axis, less any even drift: a hand that sinks into worked clay
@@ -187,7 +196,7 @@ double driven_power(const LoopPlan& plan, double way, int cycles) {
     if (n == kLedTicks) begun = handle.lost() - handle.work() + motor;
     const Vec3 force = wall.answer(handle.told());
     const double angle = 2.0 * portable::kPi * ((cycles * (n + 1)) % kLedTicks) / kLedTicks;
-    handle.lead(force, plan.begins + Vec3{0.0, way * portable::sin(angle), 0.0});
+    handle.lead(force, plan.begins + way * portable::sin(angle) * plan.lead);
     motor += LoopPlan::kSeconds * dot(held, clay);
     held = force;
     clay = wall.felt().touch.clay;

@@ -38,6 +38,9 @@ struct LoopPlan {
   Vec3 push;                      ///< The hand's own push, N.
   Vec3 kick;                      ///< Speed at the first tick, m/s.
   double wheel = 0.0;             ///< rad/s
+  bool paddle = false;  ///< Of `rendered`: the hand holds a paddle, for which the wall is firm.
+  double beats = 0.0;   ///< Then: s from blow to blow, a third of which it lies; 0: none.
+  Vec3 lead{0.0, 1.0, 0.0};  ///< driven_power() leads along it; unit.
   double seconds = 2.0;
 };
 
@@ -63,8 +66,8 @@ LoopResult run_loop(const LoopPlan& plan);
 /// Ticks in which a hand is led.
 inline constexpr int kLedTicks = 700;
 /// The power (W) that a hand has to put into the device to lead it to and fro by `way` (m, each
-/// side) about `plan.begins`, along y, `cycles` times in kLedTicks. A passive loop never gives less
-/// than zero. The wheel's work is taken off.
+/// side) about `plan.begins`, along `plan.lead`, `cycles` times in kLedTicks. A passive loop never
+/// gives less than zero. The wheel's work is taken off.
 double driven_power(const LoopPlan& plan, double way, int cycles);
 /// The least of nine frequencies up to nearly half the rate, as a damping: power over the mean
 /// square of the speed, N s/m.

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "engine/contact/tool.h"
+#include "engine/effects/building.h"
+#include "engine/math/portable.h"
 
 namespace onggi::lab {
 namespace {
@@ -67,6 +69,45 @@ std::optional<SceneWork> evening_work(std::string name, const SceneDef& def, dou
   return std::nullopt;
 }
 
+SceneWork coil_work(std::string name, SceneDef def) {
+  constexpr double kWander = 0.002, kRound = 1.9;  // m, s
+  def.building->pace = 5.0;
+  def.building->drift = 0.0;
+  const double middle = 0.5 * (def.clay.outer_radius + def.clay.inner_radius);
+  const double height = def.clay.height + 0.499 * def.building->coil;
+  SceneWork work{
+      std::move(name), def, 2.0, [=](double t) {
+        Hands hands;
+        const double angle = 2.0 * portable::kPi * eased(t / kRound);
+        const double out = middle + kWander * portable::sin(2.0 * angle);
+        hands.hand[0].position = {out * portable::cos(angle), height, out * portable::sin(angle)};
+        hands.hand[0].active = hands.hand[0].coil = t <= kRound;
+        return hands;
+      }};
+  work.outline_from = def.clay.height;
+  work.outline_to = def.clay.height + effects::Building::ring_height(*def.building, def.clay);
+  return work;
+}
+
+SceneWork blow_work(std::string name, const SceneDef& def) {
+  return {std::move(name), def, kWorkSeconds, [=](double t) {
+            constexpr double kBeat = 0.12;  // s
+            Hands hands;
+            hands.wheel_speed = kWorkWheel;
+            HandInput& hand = hands.hand[0];
+            const double beat = t / kBeat;
+            const double up = std::floor(beat) / 8.0;
+            hand.position = {def.clay.outer_radius + def.tool.radius + 0.002,
+                             def.clay.height * (0.3 + 0.4 * up), 0.0};
+            hand.active = hand.paddle = true;
+            hand.side = SideWish::outside;
+            hand.swing = 1.0 - 0.5 * up;
+            hand.anvil = 0.5 + 0.5 * up;
+            hand.blow = beat - std::floor(beat) >= 0.5;
+            return hands;
+          }};
+}
+
 SceneDef on_a_wall(SceneDef def) {
   def.clay.rows = 200;
   def.clay.sectors = 180;
@@ -113,7 +154,8 @@ Result<SceneOutcome> outcome_of(const SceneWork& work, double tick, int rows, do
   // Between the floor, whose top lies at a row's middle, and the rim, which may have sunk.
   const Profile p = scene.clay().profile();
   for (int k = 0; k < kHeights; ++k) {
-    const double h = def.clay.height * (0.1 + 0.8 * k / kHeights);
+    const double top = work.outline_to > 0.0 ? work.outline_to : def.clay.height;
+    const double h = work.outline_from + (top - work.outline_from) * (0.1 + 0.8 * k / kHeights);
     out.outline.push_back(p.outer_at(h));
     out.outline.push_back(p.inner_at(h));
   }
@@ -133,7 +175,8 @@ Apart apart(const SceneOutcome& a, const SceneOutcome& b) {
     d.force += dot(by, by);
   }
   d.force = std::sqrt(d.force / static_cast<double>(a.force.size()));
-  d.impulse = length(a.impulse - b.impulse) / length(b.impulse);
+  const double impulse = length(b.impulse);
+  d.impulse = impulse > 0.0 ? length(a.impulse - b.impulse) / impulse : 0.0;
   return d;
 }
 

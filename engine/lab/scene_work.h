@@ -20,6 +20,9 @@ struct SceneWork {
   SceneDef def;
   double seconds = 1.0;                ///< A multiple of kWorkWindow.
   std::function<Hands(double)> hands;  ///< At a time, s.
+  /// The outline counts from a tenth to nine tenths of the way between these heights, m; 0: the
+  /// lump's.
+  double outline_from = 0.0, outline_to = 0.0;
 };
 /// The windows that forces are averaged over, s: a multiple of every tick that is tried.
 inline constexpr double kWorkWindow = 0.02;
@@ -32,6 +35,12 @@ SceneWork finger_work(std::string name, const SceneDef& def, bool both, double d
 /// the scene has none.
 std::optional<SceneWork> evening_work(std::string name, const SceneDef& def, double deep,
                                       bool water = false);
+/// A hand goes round on a standing wheel and lays a ring of coil whose middle wanders by 2 mm.
+/// `def`: with BuildingDef, its lump as wide as in on_a_wall().
+SceneWork coil_work(std::string name, SceneDef def);
+/// Eight blows on an anvil, of swings from a half to one, up the wall on a turning wheel. `def`:
+/// with BeatingDef.
+SceneWork blow_work(std::string name, const SceneDef& def);
 /// The lump with a wall of 1 cm on 200 x 180 that both hands can press, without undo, the wheel at
 /// full speed at once.
 SceneDef on_a_wall(SceneDef def);

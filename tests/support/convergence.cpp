@@ -80,6 +80,11 @@ std::vector<Work> effect_works() {
     SceneDef def = base;
     effect.add(def);
     if (effect.name == "slump") def.slump->yield_stress = 1500.0;
+    if (effect.name == "building" || effect.name == "beating") {
+      works.push_back(def.building ? lab::coil_work("building, a ring", def)
+                                   : lab::blow_work("beating, eight blows", def));
+      continue;
+    }
     works.push_back(lab::finger_work(effect.name, def, false, kDeep, effect.name == "moisture"));
     if (effect.name == "smoothing") works.back() = sponge_work(std::move(works.back()));
     if (effect.name == "walls")
