@@ -17,7 +17,8 @@ const Profile* CoilAtWheel::target() const {
 const script::RingPlan* CoilAtWheel::plan() const {
   const Profile* const vessel = built() ? target() : nullptr;
   if (vessel == nullptr) return nullptr;
-  const std::pair now{desk_.card, vessel->height()};
+  const Planned now{desk_.card, vessel->height(), vessel->max_radius(), diameter(),
+                    desk_.wheel().beating.has_value()};
   if (!plan_ || planned_ != now) {
     planned_ = now;
     BuildingDef law;
@@ -41,8 +42,8 @@ void CoilAtWheel::hold(bool on, WheelSpeed& speed) {
   desk_.world.wheel_commands->hold(on ? loop::InHand::coil : loop::InHand::tool);
   if (!on) return speed.fast(desk_);
   const double widest = target() != nullptr ? target()->max_radius() : 0.0;
-  speed.slow(WheelSpeed::kLaying, widest > 0 ? kSurelyLays * desk_.wheel().pace / widest : 0.0,
-             desk_);
+  speed.slow(WheelSpeed::Slowly::laying,
+             widest > 0 ? kSurelyLays * desk_.wheel().pace / widest : 0.0, desk_);
 }
 
 void CoilAtWheel::follow(double dt) {

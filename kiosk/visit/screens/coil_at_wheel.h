@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 #include "engine/script/ring_plan.h"
 #include "kiosk/visit/screens/coil_hand.h"
@@ -61,7 +60,14 @@ class CoilAtWheel {
   std::optional<CoilHand> hand_;
   bool lacked_ = false;  ///< At the last frame.
   mutable std::optional<script::RingPlan> plan_;
-  mutable std::pair<int, double> planned_{-1, 0.0};  ///< Of this card, so high.
+  /// What it was made for.
+  struct Planned {
+    int card = -1;
+    double height = 0, widest = 0, coil = 0;
+    bool beats = false;
+    friend bool operator==(const Planned&, const Planned&) = default;
+  };
+  mutable Planned planned_;
 };
 
 }  // namespace onggi::screens

@@ -73,7 +73,8 @@ Hint next_hint(const HintInput& in) {
   const HintInput::Built built = in.built.value_or(HintInput::Built{});
   if (built.lacks_a_ring)
     return in.coil_held ? Hint{"hint.lay_coil", {}, {}} : Hint{"hint.take_coil", in.tools_way, {}};
-  if (in.paddle_held && (built.to_beat || !in.built)) return {"hint.beat", {}, built.worst};
+  if (in.paddle_held && !in.built) return {"hint.beat_freely", {}, {}};
+  if (in.paddle_held && built.to_beat) return {"hint.beat", {}, built.worst};
   if (in.paddle_held && built.beaten) return {"hint.beaten", {}, {}};
   if (built.to_beat) return {"hint.take_paddle", in.tools_way, {}};
   if (in.coil_held) return {"hint.high_enough", {}, {}};
@@ -102,7 +103,8 @@ std::vector<std::string> all_hints(const Desk& desk) {
         all.push_back(words_of({key, ToolTray::way_in(desk, held), {}}, desk));
   }
   if (desk.wheel().beating)
-    for (const char* key : {"hint.beat", "hint.beaten", "hint.beat_all", "stroke.beats"})
+    for (const char* key :
+         {"hint.beat", "hint.beat_freely", "hint.beaten", "hint.beat_all", "stroke.beats"})
       all.push_back(desk.say(key));
   for (const auto& said : kWithoutPlace) all.push_back(desk.say(said.second));
   if (desk.described() != nullptr)

@@ -25,7 +25,7 @@ void InsteadOfHands::take_up(std::string_view tool, WheelSpeed& speed) {
   paddle_.emplace(wheel.beating->face, wheel.tool_radius);
   aimed_ = {};
   desk_.world.wheel_commands->hold(loop::InHand::paddle);
-  speed.slow(WheelSpeed::kBeating, kMostBeating, desk_);
+  speed.slow(WheelSpeed::Slowly::beating, kMostBeating, desk_);
 }
 
 void InsteadOfHands::lift() {

@@ -49,9 +49,11 @@ Opening opening(const Profile& pot, const Profile& made, const Profile& target) 
   }
   return most;
 }
-/// True where the line asks for it. To open a lump that is wider than its vessel everywhere would
-/// be wrong.
-bool asked_for(DoneWhen what, const Profile* target, const Profile& made) {
+/// True where the line asks for it, and the scene has it. To open a lump that is wider than its
+/// vessel everywhere would be wrong.
+bool asked_for(DoneWhen what, const Desk& desk, const Profile* target, const Profile& made) {
+  if (what == DoneWhen::ringing || what == DoneWhen::beaten)
+    return desk.wheel().beating.has_value();
   if (what != DoneWhen::opened || target == nullptr || made.points.empty()) return true;
   return opening(made, made, *target).asked > 0;
 }
@@ -144,7 +146,7 @@ void LessonLine::update(Desk& desk, double dt, const Profile* target, const Prof
   in_step_ += dt;
   const bool at_work = apart_ <= kStrokeEnds;
   while (step != nullptr && (has(step->until) || (in_step_ > step->after && !at_work) ||
-                             !asked_for(step->until, target, made))) {
+                             !asked_for(step->until, desk, target, made))) {
     step_ = ++desk.lesson_step();
     in_step_ = 0;
     step = shown(desk);

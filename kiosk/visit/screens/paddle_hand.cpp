@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/script/beating_up.h"
+
 namespace onggi::screens {
 
 using view::InputEvent;
@@ -11,7 +13,6 @@ namespace {
 
 constexpr double kOff = 0.002;      // m between the hand's ball and the wall
 constexpr double kAsidePot = 0.03;  // m beside the pot: a finger farther off beats nothing
-constexpr double kFromEnd = 0.5;    // faces: the middle of a blow is as far from floor and rim
 constexpr double kAtSide = 0.75;    // of the radius: where keys beat, so that the paddle is seen
 
 /// Farthest that the wall reaches at `height`, m from the axis.
@@ -24,11 +25,11 @@ double widest(const ClayView& clay, double height) {
 }  // namespace
 
 double PaddleHand::lowest(const ClayView& clay) const {
-  return std::min(clay.floor_top() + kFromEnd * face_, clay.rim_height());
+  return std::min(clay.floor_top() + script::PaddleUp::kFromFoot * face_, clay.rim_height());
 }
 
 double PaddleHand::highest(const ClayView& clay) const {
-  return std::max(lowest(clay), clay.rim_height() - kFromEnd * face_);
+  return std::max(lowest(clay), clay.rim_height() - script::PaddleUp::kFromRim * face_);
 }
 
 bool PaddleHand::pointer(const InputEvent& e) {

@@ -270,7 +270,9 @@ void drawer(Column& column, const Desk& desk, const ThrowingControls& now) {
 std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hint& hint) {
   if (!now.news.empty()) return desk.say(now.news);
   if (now.coil && now.working) return desk.say("stroke.lays");
-  if (now.paddle) return desk.say(now.working ? "stroke.beats" : "hint.beat_all");
+  if (now.paddle && now.working) return desk.say("stroke.beats");
+  if (hint.key == "hint.beat" || hint.key == "hint.beat_freely") return desk.say("hint.beat_all");
+  if (hint.key == "hint.take_paddle" || hint.key == "hint.beaten") return words_of(hint, desk);
   if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
   // A button lays the coil.
   if (hint.key == "hint.lay_coil" || hint.key == "hint.take_coil") return desk.say("hint.lay_ring");

@@ -21,6 +21,7 @@
 #include "kiosk/visit/screens/touched_clay.h"
 #include "kiosk/visit/screens/water_button.h"
 #include "kiosk/visit/screens/wheel_hands.h"
+#include "kiosk/visit/screens/wheel_push.h"
 #include "kiosk/visit/screens/wheel_speed.h"
 #include "kiosk/visit/screens/wire_cut.h"
 
@@ -68,7 +69,9 @@ class Throwing final : public Screen {
       desk.world.wheel_commands->water(water_.wet());
       // A pot that comes back from its result has what its hands held then.
       if (coil().built() || desk.wheel().beating)
-        take_up(coil().lacks_a_ring() ? CoilAtWheel::kTool : 0);
+        take_up(coil().lacks_a_ring() ? CoilAtWheel::kTool
+                : instead_.to_beat()  ? instead_.paddles_place()
+                                      : 0);
     }
     if (done_) return finish();
     // The pot is cut off, so the throwing is over.
@@ -96,6 +99,10 @@ class Throwing final : public Screen {
     }
     instead_.aim();
     if (coil().wall_is_there_now() && coil().held()) go_on_from_coil();
+    if (const auto speed = push_.speed(dt))
+      speed_.push(*speed, desk);
+    else
+      speed_.run_down(dt, desk);
     strokes_ += std::exchange(worked_, working()) && !working() ? 1 : 0;
     clay_.look(desk, contact);
     // A paddle needs no water.
@@ -118,6 +125,7 @@ class Throwing final : public Screen {
     view::PotView pot = picture_.view(desk, page);
     if (desk.pot_ready()) pot.coil = desk.world.wheel->coil;
     if (drawer_ == Drawer::tools) pot.opacity *= kBehindTools;
+    wheel_radius_ = pot.wheel_radius;
     return pot;
   }
   bool dark() const override { return desk.eyes_closed(); }
@@ -130,8 +138,14 @@ class Throwing final : public Screen {
     std::vector<std::string> all;
     if (mission != nullptr && mission->kind != settings::Mission::Kind::today)
       all.push_back(mission->about_in(desk.words().code()));
-    if (!desk.two_hands()) all.push_back(desk.say(desk.wheel().coil ? "help.build" : "help.throw"));
+    if (!desk.two_hands()) {
+      const bool built = coil().built();
+      if (built) all.push_back(desk.say("help.build"));
+      all.push_back(desk.say(built && desk.wheel().beating ? "help.beat" : "help.throw"));
+    }
     if (!dark() && desk.described() == nullptr) all.push_back(desk.say("help.throw_line"));
+    // A slow wheel is worth a push.
+    if (!dark() && coil().built()) all.push_back(desk.say("help.push_wheel"));
     return all;
   }
 
@@ -270,12 +284,18 @@ class Throwing final : public Screen {
       hands_.two() ? show_.stop(hands_.lead()) : let_go();
     }
     if (show_.showing()) return;
+    InputEvent event = e;
+    if (!hands_.two()) {
+      const WheelPush::Takes takes = push_.pointer(e, camera_, wheel_radius_);
+      if (takes == WheelPush::Takes::wheel) return;
+      if (takes == WheelPush::Takes::lets_go) event.kind = InputEvent::Kind::pointer_down;
+    }
     if (instead_.held()) {
-      if (instead_.pointer(e, camera_)) send_hand();
+      if (instead_.pointer(event, camera_)) send_hand();
       return;
     }
     const Vec2 at = camera_.on_axis_plane(e.x, e.y);
-    if (hands_.pointer(e, at, desk.world.wheel->clay, grip(), held_ > 0)) send_hand();
+    if (hands_.pointer(event, at, desk.world.wheel->clay, grip(), held_ > 0)) send_hand();
   }
 
   bool key(Key key, bool repeat) override {
@@ -315,6 +335,7 @@ class Throwing final : public Screen {
     show_.stop(hands_.lead());
     hands_.lift();
     instead_.lift();
+    push_.lift();
     send_hand();
   }
   void comforted() override { speed_.send(desk); }
@@ -474,6 +495,7 @@ class Throwing final : public Screen {
     const Hint& hint = hint_.shown();
     if (LessonLine::shown(desk) != nullptr) return false;  // the wire is what it asks for
     if (hint.key == "hint.dry") return true;
+    if (hint.key == "hint.beaten") return false;
     return desk.described() != nullptr ? hint.key != "mission.close"
                                        : hint.key != "hint.close" && !good_;
   }
@@ -503,6 +525,8 @@ class Throwing final : public Screen {
   LessonLine lesson_;
   view::Camera camera_;
   WheelSpeed speed_;
+  WheelPush push_;
+  double wheel_radius_ = 0;  ///< m, as it is drawn.
   MeasuredPot measured_;
   Grip grip_ = Grip::both;
   bool by_keys_;                       ///< The visitor's last input was a key.

@@ -71,7 +71,7 @@ TEST(Hint, AWallOfRingsIsBeatenUntilItIsThinAndOnTheLine) {
   in.built->beaten = true;
   EXPECT_EQ(next_hint(in).key, "hint.beaten");
   in.built.reset();
-  EXPECT_EQ(next_hint(in).key, "hint.beat") << "a thrown pot may be beaten, too";
+  EXPECT_EQ(next_hint(in).key, "hint.beat_freely") << "a thrown pot may be beaten, too";
 }
 
 TEST(Hint, ABellyTooNarrowWantsTheHandInside) {

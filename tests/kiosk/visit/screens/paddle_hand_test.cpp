@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/script/beating_up.h"
 #include "kiosk/wheel/loop/stepped_wheel.h"
 #include "tests/kiosk/visit/screens/visitor.h"
 
@@ -159,6 +160,19 @@ TEST(PaddleHand, IsMovedByKeysAndStaysOnTheWall) {
   const double top = b.hand->input(b.camera, b.clay()).position.y;
   EXPECT_GT(top, middle + 0.02);
   EXPECT_LT(top, b.clay().rim_height());
+}
+
+// The wall near foot and rim stayed thick for ever, and so did the arrow there.
+TEST(PaddleHand, ReachesAsNearToFootAndRimAsAScriptsPaddle) {
+  Beater b;
+  const double face = b.def.beating->face;
+  b.hand->move_by_keys(1, 0, b.clay());
+  b.hand->move_by_keys(1, -1, b.clay());
+  EXPECT_NEAR(b.hand->input(b.camera, b.clay()).position.y,
+              b.clay().floor_top() + script::PaddleUp::kFromFoot * face, 1e-9);
+  b.hand->move_by_keys(1, 1, b.clay());
+  EXPECT_NEAR(b.hand->input(b.camera, b.clay()).position.y,
+              b.clay().rim_height() - script::PaddleUp::kFromRim * face, 1e-9);
 }
 
 }  // namespace
