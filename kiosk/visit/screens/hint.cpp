@@ -70,7 +70,7 @@ Hint next_hint(const HintInput& in) {
     return {"hint.begin", {}, {}};
   if (in.dry_too_long) return {"hint.dry", {}, {}};
   // The wall comes first: what is not there yet can be neither beaten nor shaped.
-  const HintInput::Built built = in.built.value_or(HintInput::Built{});
+  const BuiltPot built = in.built.value_or(BuiltPot{});
   if (built.lacks_a_ring)
     return in.coil_held ? Hint{"hint.lay_coil", {}, {}} : Hint{"hint.take_coil", in.tools_way, {}};
   if (in.paddle_held && !in.built) return {"hint.beat_freely", {}, {}};

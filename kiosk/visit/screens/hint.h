@@ -10,6 +10,14 @@
 
 namespace onggi::screens {
 
+/// How far a pot is that is built of coils.
+struct BuiltPot {
+  bool lacks_a_ring = false;
+  bool to_beat = false;                ///< Its rings are laid, and its wall is still to be beaten;
+  std::optional<Hint::Press> worst{};  ///< here most (with a paddle in the hand).
+  bool beaten = false;                 ///< It was beaten, and has its vessel's height.
+};
+
 struct HintInput {
   const Profile* target = nullptr;
   const Profile* made = nullptr;
@@ -19,13 +27,7 @@ struct HintInput {
   bool touched = false;       ///< The visitor has touched this pot.
   bool dry_too_long = false;  ///< The clay was rubbed too long without water.
   double tool_radius = 0.008;
-  struct Built {
-    bool lacks_a_ring = false;
-    bool to_beat = false;  ///< Its rings are laid, and its wall is still to be beaten;
-    std::optional<Hint::Press> worst{};  ///< here most (with a paddle in the hand).
-    bool beaten = false;                 ///< It was beaten, and has its vessel's height.
-  };
-  std::optional<Built> built{};  ///< The pot is built of coils.
+  std::optional<BuiltPot> built{};  ///< The pot is built of coils.
   bool coil_held = false, paddle_held = false;
   std::string tools_way{};  ///< Language key of the words on the button to the tools.
   std::string described{};  ///< The hint for wanted figures, if there is no outline to copy.

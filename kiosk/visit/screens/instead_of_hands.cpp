@@ -63,9 +63,9 @@ bool InsteadOfHands::to_beat() const {
   return coil_.plan() != nullptr && coil_.plan()->to_beat(desk_.world.wheel->clay);
 }
 
-std::optional<HintInput::Built> InsteadOfHands::state() const {
+std::optional<BuiltPot> InsteadOfHands::state() const {
   if (coil_.plan() == nullptr) return std::nullopt;
-  HintInput::Built built{coil_.lacks_a_ring(), to_beat(), {}, false};
+  BuiltPot built{coil_.lacks_a_ring(), to_beat(), {}, false};
   if (worst_) built.worst = Hint::Press{worst_->height, worst_->inward};
   built.beaten = coil_.plan()->beaten(desk_.world.wheel->clay);
   return built;

@@ -27,7 +27,7 @@ class InsteadOfHands {
   /// All rings are laid, and the wall is not yet thin and on the vessel's line.
   bool to_beat() const;
   /// For the hints; nothing if the pot is not built of coils.
-  std::optional<HintInput::Built> state() const;
+  std::optional<BuiltPot> state() const;
 
   /// The tray's `tool` is one of them. False for two visitors.
   bool has(std::string_view tool) const;

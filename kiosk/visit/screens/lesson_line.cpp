@@ -91,7 +91,7 @@ void LessonLine::begin(const Profile& made) {
   began_with_ = made;
 }
 
-void LessonLine::watch_built(const Desk& desk, const HintInput::Built& built, const Profile& made) {
+void LessonLine::watch_built(const Desk& desk, const BuiltPot& built, const Profile& made) {
   if (made.points.empty()) return;
   if (made.height() > desk.wheel().floor + 0.5 * desk.wheel().coil.value_or(0.0))
     note(DoneWhen::laid);
@@ -137,7 +137,7 @@ void LessonLine::watch(const Desk& desk, double dt, const Profile* target, const
 }
 
 void LessonLine::update(Desk& desk, double dt, const Profile* target, const Profile& made,
-                        bool alone, const std::optional<HintInput::Built>& built) {
+                        bool alone, const std::optional<BuiltPot>& built) {
   if (std::exchange(step_, desk.lesson_step()) != desk.lesson_step()) in_step_ = 0;  // begun anew
   const LessonStep* step = shown(desk);
   if (step == nullptr) return;

@@ -18,7 +18,7 @@ class LessonLine {
   /// Call once a frame with the pot on the wheel. `alone`: the visitor's own hands work. `built`:
   /// of a pot that is built of coils.
   void update(Desk& desk, double dt, const Profile* target, const Profile& made, bool alone,
-              const std::optional<HintInput::Built>& built);
+              const std::optional<BuiltPot>& built);
   /// The step to show now; null if there is none or the lesson is over.
   static const content::LessonStep* shown(const Desk& desk);
   static void skip(Desk& desk);
@@ -31,7 +31,7 @@ class LessonLine {
   /// Forgets what was done at other clay.
   void begin(const Profile& made);
   static_assert(content::kDoneWhen.size() <= 32);
-  void watch_built(const Desk& desk, const HintInput::Built& built, const Profile& made);
+  void watch_built(const Desk& desk, const BuiltPot& built, const Profile& made);
   void watch(const Desk& desk, double dt, const Profile* target, const Profile& made);
   bool has(content::DoneWhen what) const {
     return (done_ >> static_cast<unsigned>(what) & 1u) != 0;
