@@ -105,7 +105,9 @@ std::string Desk::said(const score::Remark& remark) const {
       at->second = hundredths(std::stol(at->second), words());
   if (const auto at = places.find("place"); at != places.end())
     at->second = say("place." + at->second);
-  return say(remark.key, places);
+  // Who beat the wall made no turn with the hands.
+  const bool beaten = remark.key == "remark.not_round" && built && wheel().beating;
+  return say(beaten ? "remark.not_round_beaten" : remark.key, places);
 }
 
 score::Score Desk::judged(const ShelfCard& answered, const Profile& pot) const {

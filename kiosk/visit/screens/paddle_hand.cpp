@@ -66,12 +66,14 @@ void PaddleHand::beat_up(double side, double seconds) {
   lift();
   active_ = true;
   side_ = side;
-  left_ = whole_ = seconds;
+  whole_ = seconds;
+  left_ = stopped_ > 0 ? std::min(stopped_, seconds) : seconds;
 }
 
 void PaddleHand::follow(double dt) {
   if (!left_) return;
   *left_ -= dt;
+  stopped_ = std::max(*left_, 0.0);
   if (*left_ <= 0) lift();
 }
 

@@ -21,7 +21,8 @@ class PaddleHand {
   bool pointer(const view::InputEvent& event);
   /// Keys: sets the hand down at `side` (+1 right of the axis, -1 left), or moves it by `up`, m.
   void move_by_keys(double side, double up, const ClayView& clay);
-  /// Beats by itself, from the foot to the rim at `side`, in `seconds`.
+  /// Beats by itself, from the foot to the rim at `side`, in `seconds`. One that was stopped on the
+  /// way goes on from there.
   void beat_up(double side, double seconds);
   /// Call once a frame, of `dt` s. Lifts the hand when beat_up() is done.
   void follow(double dt);
@@ -42,7 +43,8 @@ class PaddleHand {
   float px_ = 0, py_ = 0;       ///< Pixels, of a finger.
   double side_ = 1, up_ = 0;    ///< Of keys: m above the wheel head.
   std::optional<double> left_;  ///< s of beat_up() to go,
-  double whole_ = 1;            ///< of so many.
+  double whole_ = 1;            ///< of so many,
+  double stopped_ = 0;          ///< and the s that were left when it was stopped; 0: it was not.
 };
 
 }  // namespace onggi::screens

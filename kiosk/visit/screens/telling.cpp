@@ -77,9 +77,10 @@ void lay_out_telling(Column& column, const Desk& desk, const ShowMe& show, const
   const float longest = longest_telling(page, desk, words.w);
   if (longest > room.h) page.overflowed();
 
-  // Who has no coil or paddle in the hand learns first where it lies.
-  const bool asks_for_tool = hint.key == "hint.take_coil" || hint.key == "hint.take_paddle";
-  const content::LessonStep* step = asks_for_tool ? nullptr : LessonLine::shown(desk);
+  // On a wheel that stands, or without the coil or the paddle, no step can be done.
+  const bool first = hint.key == "hint.take_coil" || hint.key == "hint.take_paddle" ||
+                     hint.key == "hint.wheel_still";
+  const content::LessonStep* step = first ? nullptr : LessonLine::shown(desk);
   const bool told = !news.empty();
   Column sentence(page, words);
   sentence.text(told              ? desk.say(news)

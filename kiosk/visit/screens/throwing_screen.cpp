@@ -286,7 +286,8 @@ class Throwing final : public Screen {
     if (show_.showing()) return;
     InputEvent event = e;
     if (!hands_.two()) {
-      const WheelPush::Takes takes = push_.pointer(e, camera_, wheel_radius_);
+      const WheelPush::Takes takes =
+          push_.pointer(e, camera_, wheel_radius_, desk.world.wheel->clay);
       if (takes == WheelPush::Takes::wheel) return;
       if (takes == WheelPush::Takes::lets_go) event.kind = InputEvent::Kind::pointer_down;
     }
@@ -379,6 +380,7 @@ class Throwing final : public Screen {
   void work_by_itself() {
     const bool stop = instead_.by_itself();
     let_go();
+    speed_.start(desk);
     if (aim() != nullptr && !stop) instead_.work_by_itself(key_sign());
     send_hand();
   }

@@ -11,11 +11,21 @@ using view::InputEvent;
 
 namespace {
 constexpr double kTurn = 2 * 3.14159265358979;
-constexpr double kBelowFoot =
-    0.008;                        // m under the wheel's plane as the eye sees it: clear of a pot
+constexpr double kClear = 0.006;  // m round the clay
+constexpr double kSide = 0.05;    // m: so far in front of its edge lies the head's side, as seen
 constexpr double kFront = 0.5;    // of the distance from the axis: nearer than that to the eye
 constexpr double kMeant = 0.12;   // rad round, until it is a push
 constexpr double kSmooth = 0.06;  // s
+/// The clay covers this pixel, or nearly.
+bool over(const ClayView& clay, float x, float y, const view::Camera& camera) {
+  constexpr int kLevels = 24;
+  for (int n = 0; n <= kLevels; ++n) {
+    const double height = clay.rim_height() * n / kLevels;
+    const auto at = camera.on_level(x, y, height);
+    if (at && axis_distance(*at) < clay.radius_at(height, WallSide::outside) + kClear) return true;
+  }
+  return false;
+}
 }  // namespace
 
 std::optional<double> WheelPush::angle_of(float x, float y, const view::Camera& camera) const {
@@ -24,17 +34,18 @@ std::optional<double> WheelPush::angle_of(float x, float y, const view::Camera& 
   return std::atan2(at->z, at->x);
 }
 
-WheelPush::Takes WheelPush::pointer(const InputEvent& e, const view::Camera& camera,
-                                    double radius) {
+WheelPush::Takes WheelPush::pointer(const InputEvent& e, const view::Camera& camera, double radius,
+                                    const ClayView& clay) {
   if (e.finger != 0) return Takes::nothing;
   if (e.kind == InputEvent::Kind::pointer_down) {
     lift();
     const auto at = camera.on_level(e.x, e.y, 0.0);
-    if (!at || camera.on_axis_plane(e.x, e.y).y > -kBelowFoot) return Takes::nothing;
+    if (!at || clay.rows() == 0 || over(clay, e.x, e.y, camera)) return Takes::nothing;
     Vec3 right, up, back;
     camera.basis(right, up, back);
     const double out = axis_distance(*at), nearer = at->x * back.x + at->z * back.z;
-    if (out > radius || nearer < kFront * out * length(Vec2{back.x, back.z})) return Takes::nothing;
+    if (out > radius + kSide || nearer < kFront * out * length(Vec2{back.x, back.z}))
+      return Takes::nothing;
     down_ = true;
     angle_ = std::atan2(at->z, at->x);
     turned_ = speed_ = 0;

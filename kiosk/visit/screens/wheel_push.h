@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "engine/clay/clay_view.h"
 #include "kiosk/picture/view/camera.h"
 #include "kiosk/picture/view/input.h"
 
@@ -17,8 +18,10 @@ class WheelPush {
     wheel,    ///< The finger is on the wheel head.
     lets_go,  ///< It has gone up onto the pot: from here on it is another's.
   };
-  /// A finger or the mouse. `radius` of the wheel head, m.
-  Takes pointer(const view::InputEvent& event, const view::Camera& camera, double radius);
+  /// A finger or the mouse. `radius` of the wheel head, m. What lies under `clay` in the picture is
+  /// the clay's.
+  Takes pointer(const view::InputEvent& event, const view::Camera& camera, double radius,
+                const ClayView& clay);
   /// Call once a frame, of `dt` s. How fast the finger turns the wheel, rad/s, from x towards z;
   /// nothing while it does not.
   std::optional<double> speed(double dt);

@@ -38,6 +38,13 @@ class WheelSpeed {
     desk.world.wheel_commands->wheel(desk.screen().left_handed ? -asked_ : asked_);
   }
   double asked() const { return asked_; }  ///< rad/s
+  /// Somebody works by buttons: a wheel that was pushed and stands gets its motor back.
+  void start(const Desk& desk) {
+    if (!coasts_ || asked_ > 0) return;
+    coasts_ = false;
+    asked_ = std::min(slow_ ? own_[static_cast<std::size_t>(*slow_)] : kFirst, most(desk));
+    send(desk);
+  }
   /// A hand on the wheel head turns it at `speed` (rad/s, from x towards z): along, or it brakes.
   void push(double speed, const Desk& desk) {
     coasts_ = true;

@@ -265,7 +265,7 @@ TEST(LessonLine, WhoBuildsIsLedFromTheFirstRingToTheLastBlow) {
   for (ShelfCard& card : v.shelf) card.wheel.floor = v.clay.rim_height();
   v.throw_a_pot();
   v.frames(0.5);
-  EXPECT_TRUE(says(v, "floor’s edge")) << words_in(v.frame);
+  EXPECT_TRUE(says(v, "edge of the clay")) << words_in(v.frame);
   for (ShelfCard& card : v.shelf) card.wheel.floor = 0.5 * v.clay.rim_height();
   v.frames(0.5);
   EXPECT_TRUE(says(v, "Ring on ring"));

@@ -162,6 +162,21 @@ TEST(PaddleHand, IsMovedByKeysAndStaysOnTheWall) {
   EXPECT_LT(top, b.clay().rim_height());
 }
 
+// Who tapped the button again and again beat only the lower half.
+TEST(PaddleHand, ThatWasStoppedOnItsWayUpGoesOnFromThere) {
+  Beater b;
+  b.hand->beat_up(1, 4.0);
+  b.frames(2.0);
+  const double middle = b.hand->input(b.camera, b.clay()).position.y;
+  b.hand->lift();
+  b.hand->beat_up(1, 4.0);
+  EXPECT_NEAR(b.hand->input(b.camera, b.clay()).position.y, middle, 0.005);
+  b.frames(2.5);
+  EXPECT_FALSE(b.hand->active()) << "it came to the rim";
+  b.hand->beat_up(1, 4.0);
+  EXPECT_LT(b.hand->input(b.camera, b.clay()).position.y, middle - 0.02) << "from the foot again";
+}
+
 // The wall near foot and rim stayed thick for ever, and so did the arrow there.
 TEST(PaddleHand, ReachesAsNearToFootAndRimAsAScriptsPaddle) {
   Beater b;

@@ -17,6 +17,13 @@ using Takes = WheelPush::Takes;
 constexpr double kRadius = 0.15;
 
 struct Hand {
+  Hand() {
+    ClayDef low;  // a floor to build on
+    low.height = low.floor_thickness = 0.010;
+    low.outer_radius = 0.06;
+    clay.lay(low);
+  }
+  ClayView clay;
   view::Camera camera = view::frame_pot(1280, 720, {340, 60, 600, 600}, 0.2, 0.1);
   WheelPush push;
   InputEvent event(InputEvent::Kind kind, Vec3 at) const {
@@ -31,13 +38,13 @@ struct Hand {
     return {0.12 * std::cos(angle), 0.0, 0.12 * std::sin(angle)};
   }
   Takes down(Vec3 at) {
-    return push.pointer(event(InputEvent::Kind::pointer_down, at), camera, kRadius);
+    return push.pointer(event(InputEvent::Kind::pointer_down, at), camera, kRadius, clay);
   }
   Takes move(Vec3 at) {
-    return push.pointer(event(InputEvent::Kind::pointer_move, at), camera, kRadius);
+    return push.pointer(event(InputEvent::Kind::pointer_move, at), camera, kRadius, clay);
   }
   Takes up() {
-    return push.pointer(event(InputEvent::Kind::pointer_up, {0, 0, 0}), camera, kRadius);
+    return push.pointer(event(InputEvent::Kind::pointer_up, {0, 0, 0}), camera, kRadius, clay);
   }
 };
 
@@ -87,8 +94,26 @@ TEST(WheelPush, PotFootAndTableAreNotTheWheelHead) {
   }
   Hand hand;
   Vec3 far = hand.front(0.0);
-  far.x *= 1.6, far.z *= 1.6;
+  far.x *= 1.9, far.z *= 1.9;
   EXPECT_EQ(hand.down(far), Takes::nothing);
+}
+
+// A visitor held the coil on the front edge of the floor, as the words said, and nothing came.
+TEST(WheelPush, TheFrontOfTheClayIsTheClays) {
+  for (const double share : {0.0, 0.5, 0.9, 1.0})
+    for (const double height : {0.0, 0.005, 0.010}) {
+      Hand hand;
+      Vec3 at = hand.front(0.2);
+      at.x *= share * 0.06 / 0.12, at.z *= share * 0.06 / 0.12, at.y = height;
+      EXPECT_EQ(hand.down(at), Takes::nothing) << share << ", " << height;
+    }
+}
+
+TEST(WheelPush, TheSideOfTheWheelHeadAsThePictureShowsItIsTheWheels) {
+  Hand hand;
+  Vec3 at = hand.front(0.0);
+  at.x *= 0.15 / 0.12, at.z *= 0.15 / 0.12, at.y = -0.012;
+  EXPECT_EQ(hand.down(at), Takes::wheel);
 }
 
 /// A visitor at the wheel, and the wheel head as they see it.
@@ -148,6 +173,22 @@ TEST(WheelPush, AgainstItsTurnAHandBrakesTheWheel) {
   EXPECT_EQ(v.speed(), 0.0);
   v.frames(3);
   EXPECT_NE(words_in(v.frame).find("has stopped"), std::string::npos);
+}
+
+TEST(WheelPush, OnAWheelThatStandsAButtonThatLaysARingStartsTheMotor) {
+  AtTheWheel v;
+  for (ShelfCard& card : v.shelf) {
+    card.wheel.coil = 0.013;
+    card.wheel.tools = {{0, "coil", 0.0065, 0.0065}};
+    for (ProfilePoint& p : card.target.points) p.height *= 4.0;
+  }
+  v.touch("throw.tools");
+  v.touch("throw.tool.1");
+  v.frames(1);
+  v.swipe(-3.0);
+  ASSERT_EQ(v.speed(), 0.0);
+  v.touch("throw.show");
+  EXPECT_GT(v.speed(), 1.0);
 }
 
 }  // namespace
