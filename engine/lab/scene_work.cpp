@@ -70,7 +70,7 @@ std::optional<SceneWork> evening_work(std::string name, const SceneDef& def, dou
 }
 
 SceneWork coil_work(std::string name, SceneDef def) {
-  constexpr double kWander = 0.002, kRound = 1.9;  // m, s
+  constexpr double kWander = 0.002, kGoesRound = 1.9;  // m, s
   def.building->pace = 5.0;
   def.building->drift = 0.0;
   const double middle = 0.5 * (def.clay.outer_radius + def.clay.inner_radius);
@@ -78,10 +78,10 @@ SceneWork coil_work(std::string name, SceneDef def) {
   SceneWork work{
       std::move(name), def, 2.0, [=](double t) {
         Hands hands;
-        const double angle = 2.0 * portable::kPi * eased(t / kRound);
+        const double angle = 2.0 * portable::kPi * eased(t / kGoesRound);
         const double out = middle + kWander * portable::sin(2.0 * angle);
         hands.hand[0].position = {out * portable::cos(angle), height, out * portable::sin(angle)};
-        hands.hand[0].active = hands.hand[0].coil = t <= kRound;
+        hands.hand[0].active = hands.hand[0].coil = t <= kGoesRound;
         return hands;
       }};
   work.outline_from = def.clay.height;

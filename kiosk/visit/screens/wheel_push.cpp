@@ -10,19 +10,20 @@ namespace onggi::screens {
 using view::InputEvent;
 
 namespace {
-constexpr double kTurn = 2 * 3.14159265358979;
-constexpr double kClear = 0.006;  // m round the clay
-constexpr double kSide = 0.05;    // m: so far in front of its edge lies the head's side, as seen
-constexpr double kFront = 0.5;    // of the distance from the axis: nearer than that to the eye
-constexpr double kMeant = 0.12;   // rad round, until it is a push
-constexpr double kSmooth = 0.06;  // s
+constexpr double kWholeTurn = 2 * 3.14159265358979;
+constexpr double kOffClay = 0.006;  // m round the clay
+constexpr double kHeadSide = 0.05;  // m: so far in front of its edge lies the head's side, as seen
+constexpr double kFront = 0.5;      // of the distance from the axis: nearer than that to the eye
+constexpr double kMeant = 0.12;     // rad round, until it is a push
+constexpr double kSmooth = 0.06;    // s
 /// The clay covers this pixel, or nearly.
 bool over(const ClayView& clay, float x, float y, const view::Camera& camera) {
-  constexpr int kLevels = 24;
-  for (int n = 0; n <= kLevels; ++n) {
-    const double height = clay.rim_height() * n / kLevels;
+  constexpr int kHeights = 24;
+  for (int n = 0; n <= kHeights; ++n) {
+    const double height = clay.rim_height() * n / kHeights;
     const auto at = camera.on_level(x, y, height);
-    if (at && axis_distance(*at) < clay.radius_at(height, WallSide::outside) + kClear) return true;
+    if (at && axis_distance(*at) < clay.radius_at(height, WallSide::outside) + kOffClay)
+      return true;
   }
   return false;
 }
@@ -44,7 +45,7 @@ WheelPush::Takes WheelPush::pointer(const InputEvent& e, const view::Camera& cam
     Vec3 right, up, back;
     camera.basis(right, up, back);
     const double out = axis_distance(*at), nearer = at->x * back.x + at->z * back.z;
-    if (out > radius + kSide || nearer < kFront * out * length(Vec2{back.x, back.z}))
+    if (out > radius + kHeadSide || nearer < kFront * out * length(Vec2{back.x, back.z}))
       return Takes::nothing;
     down_ = true;
     angle_ = std::atan2(at->z, at->x);
@@ -62,7 +63,7 @@ WheelPush::Takes WheelPush::pointer(const InputEvent& e, const view::Camera& cam
     return Takes::lets_go;
   }
   if (const auto angle = angle_of(e.x, e.y, camera)) {
-    turned_ += std::remainder(*angle - angle_, kTurn);
+    turned_ += std::remainder(*angle - angle_, kWholeTurn);
     angle_ = *angle;
   }
   if (!turns_ && std::abs(turned_) > kMeant) turns_ = true, turned_ = 0;
