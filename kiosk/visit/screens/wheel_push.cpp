@@ -10,7 +10,7 @@ namespace onggi::screens {
 using view::InputEvent;
 
 namespace {
-constexpr double kWholeTurn = 2 * 3.14159265358979;
+constexpr double kFullCircle = 2 * 3.14159265358979;
 constexpr double kOffClay = 0.006;  // m round the clay
 constexpr double kHeadSide = 0.05;  // m: so far in front of its edge lies the head's side, as seen
 constexpr double kFront = 0.5;      // of the distance from the axis: nearer than that to the eye
@@ -63,7 +63,7 @@ WheelPush::Takes WheelPush::pointer(const InputEvent& e, const view::Camera& cam
     return Takes::lets_go;
   }
   if (const auto angle = angle_of(e.x, e.y, camera)) {
-    turned_ += std::remainder(*angle - angle_, kWholeTurn);
+    turned_ += std::remainder(*angle - angle_, kFullCircle);
     angle_ = *angle;
   }
   if (!turns_ && std::abs(turned_) > kMeant) turns_ = true, turned_ = 0;
