@@ -27,6 +27,10 @@ bool over(const ClayView& clay, float x, float y, const view::Camera& camera) {
   }
   return false;
 }
+// s: between two reports of a finger that moves, and before it lifts, there may be frames without
+// one.
+constexpr double kStill = 0.15;
+
 }  // namespace
 
 std::optional<double> WheelPush::angle_of(float x, float y, const view::Camera& camera) const {
@@ -49,7 +53,7 @@ WheelPush::Takes WheelPush::pointer(const InputEvent& e, const view::Camera& cam
       return Takes::nothing;
     down_ = true;
     angle_ = std::atan2(at->z, at->x);
-    turned_ = speed_ = 0;
+    turned_ = speed_ = still_ = 0;
     return Takes::wheel;
   }
   if (!down_) return Takes::nothing;
@@ -72,6 +76,8 @@ WheelPush::Takes WheelPush::pointer(const InputEvent& e, const view::Camera& cam
 
 std::optional<double> WheelPush::speed(double dt) {
   if (!turns_ || !(dt > 0)) return std::nullopt;
+  still_ = turned_ == 0 ? still_ + dt : 0;
+  if (turned_ == 0 && still_ < kStill) return speed_;
   const double now = turned_ / dt;
   turned_ = 0;
   speed_ += (now - speed_) * std::min(1.0, dt / kSmooth);

@@ -34,6 +34,7 @@ class WheelPush {
   double angle_ = 0;   ///< Of the finger about the axis, rad.
   double turned_ = 0;  ///< Since it went down, or since the last frame if it turns the wheel.
   double speed_ = 0;   ///< rad/s, smoothed.
+  double still_ = 0;   ///< s since it moved.
 };
 
 }  // namespace onggi::screens

@@ -71,6 +71,17 @@ TEST(WheelPush, ATapIsNoPush) {
   EXPECT_FALSE(hand.push.speed(0.016));
 }
 
+// At ten frames a second a finger's last frame has no report, and the wheel stood after each push.
+TEST(WheelPush, AFrameWithoutAReportIsNoStop) {
+  Hand hand;
+  hand.down(hand.front(-0.4));
+  for (int n = 1; n <= 4; ++n) {
+    hand.move(hand.front(-0.4 + 0.2 * n));
+    hand.push.speed(0.1);
+  }
+  EXPECT_NEAR(*hand.push.speed(0.1), 2.0, 0.2);
+}
+
 TEST(WheelPush, AFingerThatHoldsStillHoldsTheWheel) {
   Hand hand;
   hand.down(hand.front(0.0));
