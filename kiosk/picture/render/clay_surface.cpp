@@ -194,7 +194,8 @@ bool ClaySurface::refresh(Texture& levels_texture) {
   tears_.refresh(std::span(middle_).first(static_cast<std::size_t>(rows_)),
                  static_cast<float>(height_), moved);
   int solid = 0;
-  while (solid < rows_ && mean_inner_[static_cast<std::size_t>(solid)] == 0.0f) ++solid;
+  // Rows above the topmost are an earlier pot's.
+  while (solid < rows_ - 1 && mean_inner_[static_cast<std::size_t>(solid)] == 0.0f) ++solid;
   first_wall_row_ = (static_cast<float>(solid) + 0.5f) / static_cast<float>(all_drawn_);
   levels_.height = height_;
   for (std::size_t l = 0; l < kLevels; ++l) {

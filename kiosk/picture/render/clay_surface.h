@@ -49,7 +49,8 @@ class ClaySurface {
   float inner_at(float round, float up) const {
     return radius_at(inner_, round, up, first_wall_row_);
   }
-  /// The lowest row above the floor, as a share of the radius textures.
+  /// The lowest row above the floor, as a share of the radius textures; the topmost if all is
+  /// floor.
   float first_wall_row() const { return first_wall_row_; }
   const Tears& tears() const { return tears_; }
   /// Radius of the rim's edges, from its mean thickness, and the thickness, m.

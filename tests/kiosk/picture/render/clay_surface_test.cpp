@@ -104,6 +104,27 @@ TEST_F(TheClaysRadii, OfAnotherPotReplaceThem) {
   EXPECT_LT(worst(surface_, clay), 4e-6);
 }
 
+/// `rows` rows of a pot, in room for kRows.
+ClayView low(int rows, bool solid) {
+  ClayDef def = grid_of(rows, kSectors, kHeight * rows / kRows, 0.0);
+  def.floor_thickness = solid ? def.height : 0.01;
+  def.inner_radius = 0.04;
+  ClayView clay;
+  clay.lay(def, kRows);
+  return clay;
+}
+
+// A floor to build on was seen as hollow, with a black slit, after a pot that had walls.
+TEST_F(TheClaysRadii, OfASolidFloorAreNotThoseOfTheWallBefore) {
+  surface_.show(low(kRows, false));
+  surface_.show(low(8, true));
+  Texture levels;
+  surface_.refresh(levels);
+  const auto inner = radii(surface_.inner(), surface_.widest());
+  const auto row = static_cast<std::size_t>(surface_.first_wall_row() * kRows);
+  for (std::size_t i = 0; i < kSectors; ++i) EXPECT_EQ(inner[row * kSectors + i], 0.0f);
+}
+
 // Every shape as seen from near and far, level and from above.
 template <typename Check>
 void from_everywhere(ClaySurface& surface, Check&& check) {
