@@ -140,6 +140,35 @@ TEST(InsteadOfHands, WhenTheLastRingClosesThePaddleIsTakenUpAndHintsSayWhereItIs
   EXPECT_EQ(v.visit->sight()->tool, "throw.tool.2");
 }
 
+TEST(InsteadOfHands, APotThatIsStillToBeBeatenComesBackFromItsResultToThePaddle) {
+  AtAThickWall v;
+  for (ShelfCard& card : v.shelf)
+    for (ProfilePoint& p : card.target.points) p.outer += 0.02;
+  v.touch_clay();
+  v.take(2);
+  v.touch("throw.done");
+  v.frames(1);
+  ASSERT_EQ(v.visit->screen(), ScreenId::result);
+  v.touch("back");
+  v.frames(2);
+  EXPECT_TRUE(v.wheel_commands.paddle);
+}
+
+TEST(InsteadOfHands, OfABeatenPotTheResultSpeaksOfBlowsAndOfAThrownOneOfHands) {
+  Visitor v;
+  VisitInputs world;
+  world.languages = &v.languages;
+  world.shelf = &v.shelf;
+  v.shelf[0].built = v.shelf[0].wheel;
+  v.shelf[0].built->beating.emplace();
+  Desk desk(world);
+  desk.card = 0;
+  const score::Remark not_round{"remark.not_round", {}};
+  EXPECT_NE(desk.said(not_round).find("Hold still"), std::string::npos);
+  desk.built = true;
+  EXPECT_NE(desk.said(not_round).find("Beat it"), std::string::npos);
+}
+
 TEST(InsteadOfHands, AFingerLeadsThePaddleAndLetsGoOfIt) {
   AtAPaddle v;
   v.take(1);

@@ -286,6 +286,37 @@ TEST(LessonLine, WhoBuildsIsLedFromTheFirstRingToTheLastBlow) {
   EXPECT_FALSE(says(v, "slowly up and down")) << "it is on the line";
 }
 
+// The lesson went on with "hold on" while the wheel stood, and for who had put the coil away.
+TEST(LessonLine, SaysFirstWhatKeepsAStepFromBeingDone) {
+  Builder v;
+  v.throw_a_pot();
+  v.frames(3);
+  ASSERT_TRUE(says(v, "Ring on ring"));
+  v.touch("throw.wheel");
+  for (int n = 0; n < 20; ++n) v.touch("throw.slower");
+  v.touch("throw.less");
+  v.frames(3);
+  EXPECT_TRUE(says(v, "has stopped")) << words_in(v.frame);
+  v.touch("throw.wheel");
+  v.touch("throw.faster");
+  v.touch("throw.tools");
+  v.touch("throw.tool.0");
+  v.frames(3);
+  EXPECT_TRUE(says(v, "then “Coil”")) << words_in(v.frame);
+}
+
+TEST(LessonLine, AsksForNoBlowsWhereTheSceneHasNoPaddle) {
+  Builder v;
+  for (ShelfCard& card : v.shelf) {
+    card.wheel.beating.reset();
+    card.wheel.tools.pop_back();
+  }
+  v.set_all(0.9);  // high enough
+  v.throw_a_pot();
+  v.frames(1);
+  EXPECT_FALSE(says(v, "Dull blows")) << words_in(v.frame);
+}
+
 TEST(LessonLine, WhoKnowsHowToThrowIsStillTaughtToBuild) {
   Builder v;
   v.lesson = content::read_lesson("content/lessons/first_minute.toml", {"en", "ko"}).steps;
