@@ -73,7 +73,9 @@ TEST(PaddleLoop, WithAnEncoderAndASlowWheelItRestsAndItsForceDoesNotBuzz) {
       const LoopResult result = run_loop(plan);
       EXPECT_TRUE(result.at_rest()) << d.damping << ' ' << d.delay << ' ' << result.swing;
       EXPECT_LT(result.force_step, 0.02) << d.damping << ' ' << d.delay;
-      if (hand.stiffness == 0.0) EXPECT_NEAR(result.force_mean, 0.4, 0.02) << "it is on the wall";
+      if (hand.stiffness == 0.0) {
+        EXPECT_NEAR(result.force_mean, 0.4, 0.02) << "it is on the wall";
+      }
     }
 }
 
