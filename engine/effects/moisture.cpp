@@ -11,6 +11,7 @@ std::span<const DefField<MoistureDef>> MoistureDef::fields() {
   static constexpr DefField<MoistureDef> kFields[] = {
       {"wetting_time", &MoistureDef::wetting_time, 0.05, 60.0, "s"},
       {"drying_time", &MoistureDef::drying_time, 1.0, 36000.0, "s"},
+      {"fire_time", &MoistureDef::fire_time, 1.0, 36000.0, "s"},
       {"softening", &MoistureDef::softening, 0.05, 1.0, ""},
       {"weakening", &MoistureDef::weakening, 0.005, 1.0, ""},
       {"air", &MoistureDef::air, 0.0, 1.0, ""},
@@ -35,13 +36,14 @@ Moisture::Moisture(const MoistureDef& def, int rows, int room) : rows_(rows) {
 }
 
 void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seconds, bool sponge,
-                           std::span<const double> heights) noexcept {
-  const double faded = portable::exp(-seconds / def.drying_time);
+                           std::span<const double> heights, bool fire) noexcept {
+  const double drying_time = fire ? def.fire_time : def.drying_time;
+  const double faded = portable::exp(-seconds / drying_time);
   // Under a sponge both happen: w' = (1 - w) / wetting_time - (w - air) / drying_time. The wetness
   // approaches `towards` at the sum of both rates.
   const double still_to_soak = sponge ? portable::exp(-seconds / def.wetting_time) : 1.0;
   const double towards =
-      sponge ? (def.drying_time + def.air * def.wetting_time) / (def.drying_time + def.wetting_time)
+      sponge ? (drying_time + def.air * def.wetting_time) / (drying_time + def.wetting_time)
              : def.air;
   if (row_.empty()) {
     mean_ = towards + (mean_ - towards) * faded * still_to_soak;

@@ -16,6 +16,7 @@ namespace onggi {
 struct MoistureDef {
   double wetting_time = 0.6;  ///< s to soak while the sponge is held, 0.05..60.
   double drying_time = 60.0;  ///< s, time constant, 1..36000.
+  double fire_time = 10.0;    ///< Likewise while a fire hangs inside (Hands::fire).
   double softening = 0.5;     ///< Relaxation time when dripping wet, as a share of the dry one,
                               ///< 0.05..1. Lower: wet clay yields at a touch.
   /// Yield strength and viscosity when dripping wet, as a share of the dry ones, 0.005..1; in
@@ -48,9 +49,9 @@ class Moisture {
 
   /// Stage 3 of the pipeline. If `sponge`, a sponge is at each of `heights` (m, on the rows of
   /// `clay`; at most two); none means the whole pot. A row under two sponges soaks as under one.
-  /// Soaked rows also dry. O(rows under the sponge).
+  /// Soaked rows also dry. `fire`: one hangs inside. O(rows under the sponge).
   void soak_or_dry(const MoistureDef& def, const Clay& clay, double seconds, bool sponge,
-                   std::span<const double> heights) noexcept;
+                   std::span<const double> heights, bool fire = false) noexcept;
 
   /// Mean over the rows, 0..1.
   double mean() const { return mean_; }

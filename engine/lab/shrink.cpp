@@ -55,6 +55,7 @@ void add_plainer_hands(const Trial& trial, std::vector<Trial>& out) {
   add_changed(trial, out, [](Stroke& s) { return set(s.dt, 0.001); });
   add_changed(trial, out, [](Stroke& s) { return set(s.tremble, 0.0); });
   add_changed(trial, out, [](Stroke& s) { return set(s.water, false); });
+  add_changed(trial, out, [](Stroke& s) { return set(s.fire, false); });
   add_changed(trial, out, [](Stroke& s) { return set(s.renew, false); });
   add_changed(trial, out, [](Stroke& s) { return set(s.restore, false); });
   add_changed(trial, out, [](Stroke& s) { return set(s.wheel_speed, 0.0); });

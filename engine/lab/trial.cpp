@@ -184,6 +184,7 @@ Stroke random_stroke(Random& random, const SceneDef& def, const TrialPlan& plan,
     }
   }
   if (chance(random, 0.1)) stroke.water = !stroke.water;
+  if (def.building && chance(random, 0.1)) stroke.fire = !stroke.fire;
   stroke.renew = chance(random, 0.03);
   stroke.restore = chance(random, 0.06);
   if (plan.nonsense && chance(random, 0.06)) make_nonsense(random, stroke, def.tools.size());
@@ -212,6 +213,7 @@ TickRecord Trial::tick_of(const Stroke& stroke, int k, Random& random) {
   }
   record.hands.wheel_speed = stroke.wheel_speed;
   record.hands.water = stroke.water;
+  record.hands.fire = stroke.fire;
   record.hands.renew = stroke.renew;
   record.hands.restore = stroke.restore;
   record.dt = stroke.ragged ? stroke.dt * (1.0 - random.uniform()) : stroke.dt;

@@ -25,7 +25,7 @@ struct Stroke {
   double tremble = 0.0;  ///< m: how far a hand shakes about its way.
   std::array<Part, kMaxHands> hand{};
   double wheel_speed = 0.0;  ///< rad/s. Any value.
-  bool water = false, renew = false, restore = false;
+  bool water = false, fire = false, renew = false, restore = false;
 };
 
 /// A scene and all input: enough to repeat it to the bit.

@@ -19,10 +19,12 @@ constexpr double kEffectTick = 0.001;
 constexpr double kFingerRadius = 0.008;
 
 // Wetness that was `w` after `seconds` of drying, with a sponge or without: the one exponential.
-double wetness_after(const MoistureDef& def, double w, double seconds, bool sponge) {
+double wetness_after(const MoistureDef& def, double w, double seconds, bool sponge,
+                     bool fire = false) {
   const double soaking = sponge ? 1.0 / def.wetting_time : 0.0;
-  const double pace = soaking + 1.0 / def.drying_time;
-  const double end = (soaking + def.air / def.drying_time) / pace;
+  const double drying = 1.0 / (fire ? def.fire_time : def.drying_time);
+  const double pace = soaking + drying;
+  const double end = (soaking + def.air * drying) / pace;
   return end + (w - end) * portable::exp(-pace * seconds);
 }
 
@@ -41,6 +43,23 @@ double soaked_and_dried(double by) {
     hands.water = sponge;
     play(scene, hands, seconds);
     w = wetness_after(law, w, seconds, sponge);
+    most = std::max(most, std::fabs(scene.wetness_of(20) - w));
+  }
+  return most;
+}
+
+double dried_by_a_fire(double by) {
+  SceneDef def = lone_lump(40, 16);
+  const MoistureDef law = def.moisture.emplace();
+  def.moisture->fire_time *= 1.0 + by;
+  Scene scene = scene_of(def);
+  Hands hands;
+  double most = 0.0, w = 0.0;
+  for (const auto& [seconds, sponge] : {std::pair{0.5, true}, {5.0, false}}) {
+    hands.water = sponge;
+    hands.fire = !sponge;
+    play(scene, hands, seconds);
+    w = wetness_after(law, w, seconds, hands.water, hands.fire);
     most = std::max(most, std::fabs(scene.wetness_of(20) - w));
   }
   return most;
@@ -338,6 +357,8 @@ constexpr Witness kEffects[] = {
      friction_near_rest},
     {"soaking and drying", "one exponential of both", "moisture.drying_time", 1e-12, "",
      soaked_and_dried},
+    {"drying by a fire in the pot", "one exponential of fire_time", "moisture.fire_time", 1e-12, "",
+     dried_by_a_fire},
     {"a sponge's band", "one exponential at the sponge, 0 elsewhere and at the other hand",
      "moisture.wetting_time", 1e-12, "", a_soaked_band},
     {"wet clay gives way sooner", "a Maxwell element of tau (1 + w (softening - 1))",

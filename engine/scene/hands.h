@@ -43,6 +43,8 @@ struct Hands {
   std::array<HandInput, kMaxHands> hand;
   double wheel_speed = 0.0;  ///< Asked speed, rad/s, positive turns the clay from x towards z.
   bool water = false;        ///< A wet sponge is held against the clay.
+  bool fire = false;         ///< A pot of glowing charcoal hangs inside and dries the clay
+                             ///< (MoistureDef::fire_time).
   bool renew = false;  ///< Lay a fresh lump. Starts when it becomes true and takes elements / 8192
                        ///< ticks, during which nothing is pressed.
   bool restore = false;  ///< Undo the last stroke or renew (engine/clay/history.h). Starts and

@@ -17,10 +17,11 @@ constexpr std::size_t kLongestId = 4096;
 
 // The first hand's bits of switches that came later than the others.
 constexpr unsigned kCoils = 3 * (kMaxHands + 1), kPaddles = kCoils + kMaxHands,
-                   kBlows = kPaddles + kMaxHands, kBits = kBlows + kMaxHands;
+                   kBlows = kPaddles + kMaxHands, kFire = kBlows + kMaxHands;
+static_assert(kFire == 15, "the last of 16 bits");
 
-// All switches in 16 bits: three per hand, three for the potter, then coil, paddle and blow. Before
-// kFirstSwings the coil's bit of a hand with a paddle said whether there is an anvil.
+// All switches in 16 bits: three per hand, three for the potter, then coil, paddle, blow and fire.
+// Before kFirstSwings the coil's bit of a hand with a paddle said whether there is an anvil.
 std::uint16_t switches_of(const Hands& hands) {
   unsigned bits = 0;
   for (const HandInput& hand : hands.hand)
@@ -31,11 +32,11 @@ std::uint16_t switches_of(const Hands& hands) {
     bits |= unsigned{hands.hand[n].coil} << (kCoils + n) |
             unsigned{hands.hand[n].paddle} << (kPaddles + n) |
             unsigned{hands.hand[n].blow} << (kBlows + n);
+  bits |= unsigned{hands.fire} << kFire;
   return static_cast<std::uint16_t>(bits);
 }
 
 bool put_switches(Hands& hands, std::uint16_t bits) {
-  if (bits >= 1u << kBits) return false;
   for (std::size_t n = 0; n < hands.hand.size(); ++n) {
     HandInput& hand = hands.hand[n];
     hand.coil = (bits >> (kCoils + n) & 1u) != 0;
@@ -45,6 +46,7 @@ bool put_switches(Hands& hands, std::uint16_t bits) {
   hands.restore = (bits & 1u) != 0;
   hands.renew = (bits & 2u) != 0;
   hands.water = (bits & 4u) != 0;
+  hands.fire = (bits >> kFire & 1u) != 0;
   for (std::size_t n = kMaxHands; n-- > 0;) {
     bits = static_cast<std::uint16_t>(bits >> 3);
     const unsigned side = (bits >> 1) & 3u;

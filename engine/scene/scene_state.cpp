@@ -87,7 +87,7 @@ void Scene::State::turn_wheel(Tick& tick) noexcept {
 
 // Stage 3. A sponge wets the clay that it touches. Water without a sponge in hand comes at the
 // hands, wherever they are.
-void Scene::State::soak_or_dry(const Tick& tick, bool water) noexcept {
+void Scene::State::soak_or_dry(const Tick& tick, bool water, bool fire) noexcept {
   if (!moisture) return;
   std::array<double, kMaxHands> heights{};
   std::size_t held = 0;
@@ -96,7 +96,7 @@ void Scene::State::soak_or_dry(const Tick& tick, bool water) noexcept {
     if (h.present && (water || sponge)) heights[held++] = h.at.y;
   }
   moisture->soak_or_dry(*def.moisture, clay, tick.dt, water || held > 0,
-                        std::span(heights).first(held));
+                        std::span(heights).first(held), fire);
 }
 
 double Scene::State::wetness_at(double height) const {

@@ -75,7 +75,7 @@ struct Scene::State {
   void take_input(Tick& tick, const Hands& hands, double dt) noexcept;
   void take_hand(Tick& tick, std::size_t n, const HandInput& in) noexcept;
   void turn_wheel(Tick& tick) noexcept;
-  void soak_or_dry(const Tick& tick, bool water) noexcept;
+  void soak_or_dry(const Tick& tick, bool water, bool fire) noexcept;
   void work_on_lump(const Hands& hands) noexcept;
   scene::LumpWork::Parts lump_parts() {
     return {def, clay, history ? &*history : nullptr, row_effects.get(),

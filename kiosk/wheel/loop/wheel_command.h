@@ -52,6 +52,9 @@ struct TurnWheel {
 struct Water {
   bool held = false;
 };
+struct Fire {  ///< Charcoal hangs inside the pot.
+  bool hangs = false;
+};
 struct Renew {};
 struct Restore {};
 struct Pause {
@@ -73,8 +76,8 @@ struct ClearFaults {
 using Command =
     std::variant<command::GiveBack, command::Put, command::Play, command::Attach, command::Detach,
                  command::Lead, command::Take, command::Hold, command::Swing, command::TurnWheel,
-                 command::Water, command::Renew, command::Restore, command::Pause, command::Show,
-                 command::Harden, command::Decorate, command::ClearFaults>;
+                 command::Water, command::Fire, command::Renew, command::Restore, command::Pause,
+                 command::Show, command::Harden, command::Decorate, command::ClearFaults>;
 static_assert(std::is_trivially_copyable_v<Command>, "the queue moves it without a thought");
 
 }  // namespace onggi::loop

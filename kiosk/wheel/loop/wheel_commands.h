@@ -31,6 +31,8 @@ class WheelCommands {
   virtual void swing(const script::Swings& swings) = 0;
   virtual void wheel(double rad_per_s) = 0;
   virtual void water(bool held) = 0;
+  /// Charcoal hangs inside the pot and dries it, until it is taken out or a new pot comes.
+  virtual void fire(bool hangs) = 0;
   virtual void renew() = 0;
   virtual void restore() = 0;
   /// Pauses the simulation and lifts all hands.

@@ -29,6 +29,7 @@ class WheelHost : public WheelCommands {
   void swing(const script::Swings& swings) override { send(command::Swing{swings}); }
   void wheel(double rad_per_s) override { send(command::TurnWheel{rad_per_s}); }
   void water(bool held) override { send(command::Water{held}); }
+  void fire(bool hangs) override { send(command::Fire{hangs}); }
   void renew() override { send(command::Renew{}); }
   void restore() override { send(command::Restore{}); }
   void pause(bool on) override { send(command::Pause{on}); }

@@ -85,6 +85,7 @@ class WheelLoop {
   void apply(const command::Swing& wish) noexcept { swings_ = wish.swings; }
   void apply(const command::TurnWheel& wish) noexcept { asked_.wheel_speed = wish.rad_per_s; }
   void apply(const command::Water& wish) noexcept { asked_.water = wish.held; }
+  void apply(const command::Fire& wish) noexcept { asked_.fire = wish.hangs; }
   void apply(const command::Renew&) noexcept { asked_.renew = true; }
   void apply(const command::Restore&) noexcept { asked_.restore = true; }
   void apply(const command::Pause& wish) noexcept;

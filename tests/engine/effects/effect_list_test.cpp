@@ -48,6 +48,7 @@ TEST(EffectField, EveryNumberHasItsUsualValueAndItsEnds) {
                                                {"glaze_thickness", 0.0005, 0.0, 0.002}}));
   expect<MoistureDef>("moisture", std::to_array<Told>({{"wetting_time", 0.6, 0.05, 60.0},
                                                        {"drying_time", 60.0, 1.0, 36000.0},
+                                                       {"fire_time", 10.0, 1.0, 36000.0},
                                                        {"softening", 0.5, 0.05, 1.0},
                                                        {"weakening", 0.03, 0.005, 1.0},
                                                        {"air", 0.0, 0.0, 1.0},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "tests/engine/effects/random_hands.h"
 #include "tests/engine/effects/witnessed.h"
@@ -16,11 +17,12 @@ using namespace effects_test;
 // Written from the equations in engine/docs/effects.md alone.
 
 // w' = (1 - w) / wetting - (w - air) / drying, or without the first part: Runge and Kutta's rule.
-double wet_after(const MoistureDef& def, double w, double seconds, bool sponge) {
+double wet_after(const MoistureDef& def, double w, double seconds, bool sponge, bool fire) {
   constexpr int kSteps = 4000;
   const double step = seconds / kSteps;
   const auto rate = [&](double now) {
-    return (sponge ? (1.0 - now) / def.wetting_time : 0.0) - (now - def.air) / def.drying_time;
+    return (sponge ? (1.0 - now) / def.wetting_time : 0.0) -
+           (now - def.air) / (fire ? def.fire_time : def.drying_time);
   };
   for (int n = 0; n < kSteps; ++n) {
     const double a = rate(w);
@@ -64,16 +66,21 @@ TEST(MoistureWitness, OneLawHoldsForAPotAndForABandWhateverIsSoakedOrDriedAtAnyT
         SceneDef def = wall(band);
         def.moisture->wetting_time = wetting;
         def.moisture->drying_time = drying;
+        def.moisture->fire_time = 7.0;
         def.moisture->air = air;
         Moisture wet(*def.moisture, 200);
         const Clay clay = std::move(*Clay::create(def.clay));
         const std::array<double, 1> at{0.1};
         double w = 0.0, off = 0.0;
-        for (const auto& [seconds, sponge] :
-             {std::pair{3.0, true}, {2.0, false}, {10.0, true}, {5.0, false}}) {
+        for (const auto& [seconds, sponge, fire] : {std::tuple{3.0, true, false},
+                                                    {2.0, false, false},
+                                                    {10.0, true, false},
+                                                    {5.0, false, true},
+                                                    {1.0, true, true},
+                                                    {2.0, false, false}}) {
           for (int n = 0; n < std::lround(seconds / tick); ++n)
-            wet.soak_or_dry(*def.moisture, clay, tick, sponge, at);
-          w = wet_after(*def.moisture, w, seconds, sponge);
+            wet.soak_or_dry(*def.moisture, clay, tick, sponge, at, fire);
+          w = wet_after(*def.moisture, w, seconds, sponge, fire);
           off = std::max(off, std::fabs(wet.at(clay, 0.1) - w));
         }
         witnessed("moisture",

@@ -70,6 +70,7 @@ class Overheard final : public loop::WheelCommands {
   void swing(const script::Swings& swings) override { wheel_.swing(swings); }
   void wheel(double speed) override { wheel_.wheel(speed); }
   void water(bool held) override { wheel_.water(held); }
+  void fire(bool hangs) override { wheel_.fire(hangs); }
   void renew() override { wheel_.renew(); }
   void restore() override { wheel_.restore(); }
   void pause(bool on) override { wheel_.pause(on); }

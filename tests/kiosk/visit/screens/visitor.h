@@ -46,6 +46,7 @@ class RecordedCommands final : public loop::WheelCommands {
   void swing(const script::Swings& now) override { swings.push_back(now); }
   void wheel(double rad_per_s) override { wheels.push_back(rad_per_s); }
   void water(bool held) override { waters.push_back(held); }
+  void fire(bool hangs) override { fires.push_back(hangs); }
   void renew() override { ++renewed; }
   void restore() override { ++restored; }
   void pause(bool on) override { pauses.push_back(on); }
@@ -60,7 +61,7 @@ class RecordedCommands final : public loop::WheelCommands {
   std::vector<HandInput> hands;
   std::vector<script::Swings> swings;
   std::vector<double> wheels;
-  std::vector<bool> waters;
+  std::vector<bool> waters, fires;
   std::vector<bool> pauses;
   std::vector<std::uint8_t> tools;
   bool coil = false, paddle = false;
