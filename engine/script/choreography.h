@@ -35,7 +35,6 @@ class Choreography {
   void phase(std::string_view name) { now_.phase = name; }
   void wheel(double speed);  ///< rad/s from here on.
   void water(bool on) { now_.water = on; }
-  void fire(bool on) { now_.fire = on; }
   /// Independent of pace, because wet clay and a spinning wheel need their time.
   void wait(double seconds);
   void wait_turns(double turns);  ///< Of the wheel at its asked speed.

@@ -17,7 +17,7 @@ using namespace effects_test;
 // Written from the equations in engine/docs/effects.md alone.
 
 // w' = (1 - w) / wetting - (w - air) / drying, or without the first part: Runge and Kutta's rule.
-double wet_after(const MoistureDef& def, double w, double seconds, bool sponge, bool fire) {
+double wet_after(const MoistureDef& def, double w, double seconds, bool sponge, bool fire = false) {
   constexpr int kSteps = 4000;
   const double step = seconds / kSteps;
   const auto rate = [&](double now) {
