@@ -36,6 +36,8 @@ Rays rays_of(double angle, double d, double r, double more, int sectors) {
   return {((first % sectors) + sectors) % sectors, std::clamp(last - first + 1, 0, sectors)};
 }
 
+constexpr double kGrazes = 0.25881904510252074;  // cos 75 degrees: a print reaches no farther round
+
 }  // namespace
 
 template <class Real>
@@ -58,6 +60,33 @@ PlainWall<Real>::PlainWall(const ClayDef& def, double low, double high)
   }
 }
 
+// dr/dy of a face at `angle` (rad, clay frame), between half a `radius` above and below `height`:
+// straight between the middles of its elements, and only as far as it has rows.
+template <class Real>
+double PlainWall<Real>::slope(WallSide side, double height, double angle, double radius) const {
+  const std::vector<Real>& of = face(side);
+  const double rays = angle / kTurn * sectors_ - 0.5;
+  const double whole = std::floor(rays);
+  const auto at = [&](double n) {
+    return static_cast<std::size_t>(n - sectors_ * std::floor(n / sectors_));
+  };
+  const auto out_at = [&](double up) {
+    const double low = std::min(std::floor(up), rows_ - 2.0);
+    const std::size_t row = static_cast<std::size_t>(low) * static_cast<std::size_t>(sectors_);
+    const auto on = [&](std::size_t first) {
+      const auto here = double{of[first + at(whole)]}, there = double{of[first + at(whole + 1.0)]};
+      return here + (rays - whole) * (there - here);
+    };
+    const double below = on(row), above = on(row + static_cast<std::size_t>(sectors_));
+    return below + (up - low) * (above - below);
+  };
+  const auto place = [&](double y) {
+    return std::clamp((y - bottom_) / thickness_, 0.0, rows_ - 1.0);
+  };
+  const double low = place(height - 0.5 * radius), high = place(height + 0.5 * radius);
+  return (out_at(high) - out_at(low)) / ((high - low) * thickness_);
+}
+
 template <class Real>
 Vec3 PlainWall<Real>::step(const PlainLaw& law, const BallWay& way) noexcept {
   const StepOf time = step_of(law, way.seconds);
@@ -73,6 +102,12 @@ Vec3 PlainWall<Real>::step(const PlainLaw& law, const BallWay& way) noexcept {
   const double weight = law.quadrature == Quadrature::none
                             ? law.c_v
                             : law.stiffness * sector * thickness_ * time.felt;
+
+  // What is felt turns with a wall that leans: (n . w)(w . ray) / (n . ray), w across the face.
+  const double lean = edges ? slope(way.side, h.y, portable::atan2(h.z, h.x), way.radius) : 0.0;
+  const double square = 1.0 / (1.0 + lean * lean);
+  const Real square_on = static_cast<Real>(square);
+  const Real least_chord = static_cast<Real>(kGrazes * way.radius);
 
   Real sum_x = 0, sum_y = 0, sum_z = 0;
   const int first_row =
@@ -90,6 +125,7 @@ Vec3 PlainWall<Real>::step(const PlainLaw& law, const BallWay& way) noexcept {
     const Rays rays =
         rays_of(portable::atan2(h.z, h.x), d, section, edges ? 0.5 * sector : 0.0, sectors_);
     const Real r = static_cast<Real>(section), dy = static_cast<Real>(above);
+    const Real aslant = static_cast<Real>((outside ? square : -square) * lean * above);
     // Coverage of an element grows from 0 to 1 over its own width about the edge.
     const Real reach = edges ? static_cast<Real>(section + 0.5 * width) : r;
     const Real per_width = static_cast<Real>(1.0 / std::max(width, 1e-12));
@@ -115,6 +151,7 @@ Vec3 PlainWall<Real>::step(const PlainLaw& law, const BallWay& way) noexcept {
       // As a press fades, the face moves as much: the mean of both ends' radii.
       if (law.quadrature != Quadrature::none)
         felt *= law.rule == TimeRule::shipped ? Real(0.5) * (now + face[i]) : now;
+      felt *= std::max(square_on - aslant / std::max(chord, least_chord), Real{0});
       sum_x += felt * (hx - end * cos_[i]);
       sum_y += felt * dy;
       sum_z += felt * (hz - end * sin_[i]);

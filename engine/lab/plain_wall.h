@@ -19,7 +19,8 @@ enum class TimeRule : std::uint8_t {
 enum class Quadrature : std::uint8_t {
   none,   ///< Eq. 9: a plain sum, c_v an element.
   area,   ///< Each by its area, radius dtheta dh.
-  edges,  ///< And elements that the ball's edge crosses by the share that it covers (contact.md).
+  edges,  ///< And elements that the ball's edge crosses by the share that it covers, turned with a
+          ///< wall that leans (contact.md).
 };
 
 struct PlainLaw {
@@ -65,6 +66,8 @@ class PlainWall {
   }
 
  private:
+  double slope(WallSide side, double height, double angle, double radius) const;
+
   int rows_ = 0, sectors_ = 0;
   double bottom_ = 0.0, thickness_ = 0.0;
   Real nearest_{}, farthest_{};  // limits of the pressed face

@@ -47,6 +47,15 @@ TEST(Accuracy, TheEngineLeavesAndFeelsWhatASecondLawInDoublesDoesInEveryScript) 
   }
 }
 
+// A vase's flanks lean, and there the push turns with the wall.
+TEST(Accuracy, OnAWallThatLeansTheEngineFeelsWhatTheSecondLawDoes) {
+  AccuracyScript script = named("throw");
+  script.seconds = 1.0;
+  const Truth truth = truth_of(script, {400, 360, 2000.0});
+  const AccuracyRow row = row_of(script, truth, Model::shipped, 400, 360);
+  EXPECT_LT(row.errors.force_rms, 0.02 * truth.mean_force);
+}
+
 TEST(Accuracy, OfFinerGridsTheEngineComesNearerInAllThreeErrorsAndThePrintedForceRunsAway) {
   const AccuracyScript script = named("press");
   const Truth truth = truth_of(script, kCoarse);
