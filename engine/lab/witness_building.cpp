@@ -1,6 +1,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/lab/built_accuracy.h"
 #include "engine/lab/witness.h"
 #include "engine/lab/witness_scene.h"
 #include "engine/math/portable.h"
@@ -9,14 +10,18 @@
 namespace onggi::lab {
 namespace {
 
-constexpr double kCoil = 0.012, kCoilMiddle = 0.04;  // m
+constexpr double kCoil = 0.012, kCoilMiddle = 0.04, kDisc = 0.010;  // m
 constexpr double kBeatenOut = 0.055, kBeatenIn = 0.047;
 constexpr double kEnergy = 0.03, kStress = 60e3, kPaddle = 0.02;
 
-// A hand goes once round a disc with a coil: its section along a circle.
-double a_ring_of_coil(double by) {
+// A hand goes once round a disc, 10 mm high, with a coil.
+struct Coiled {
+  Scene scene;
+  double before;  // m^3, without the ring
+};
+Coiled coiled(double by) {
   SceneDef def = lone_lump(12, 90);
-  def.clay.height = def.clay.floor_thickness = 0.010;
+  def.clay.height = def.clay.floor_thickness = kDisc;
   def.clay.outer_radius = 0.05;
   def.volume.emplace();
   def.building.emplace().coil = (1.0 + by) * kCoil;
@@ -32,14 +37,55 @@ double a_ring_of_coil(double by) {
     hands.hand[0].active = hands.hand[0].coil = n <= 2000;
     scene.step(hands, 0.001);
   }
+  return {std::move(scene), before};
+}
+
+// Its section along a circle.
+double a_ring_of_coil(double by) {
+  const Coiled ring = coiled(by);
   const double section = 0.25 * portable::kPi * kCoil * kCoil;
-  return share_apart(volume_of(scene.clay()) - before, section * 2.0 * portable::kPi * kCoilMiddle);
+  return share_apart(volume_of(ring.scene.clay()) - ring.before,
+                     section * 2.0 * portable::kPi * kCoilMiddle);
+}
+
+// A circle's mean chord between -0.8 and 0.8 of its radius: by hand 0.8797 of its diameter.
+double a_ring_pressed_flat(double by) {
+  const Coiled ring = coiled(by);
+  const double chord = 0.5 * (0.6 + portable::asin(0.8) / 0.8) * kCoil;
+  return share_apart(ring.scene.clay().rim_height() - kDisc,
+                     0.25 * portable::kPi * kCoil * kCoil / chord);
+}
+
+double never() { return 0.0; }
+
+// A builder's work with one number of the scene altered, against the second program, which
+// believes what stands there. m, root mean square over both faces.
+double off_second_program(const BuiltScript& believed, const BuiltScript& altered) {
+  AccuracySetting setting;
+  setting.rows = 200;
+  setting.sectors = 180;
+  return measure_built(altered, truth_of(believed, 1000, 940), setting, never).errors.shape_rms;
+}
+
+double a_ring_that_wanders(double by) {
+  const BuiltScript believed = built_scripts().front();
+  BuiltScript altered = believed;
+  altered.work.def.building->coil *= 1.0 + by;
+  return off_second_program(believed, altered);
+}
+
+double eight_blows(double by) {
+  const BuiltScript believed = built_scripts().back();
+  BuiltScript altered = believed;
+  altered.work.def.beating->yield_stress *= 1.0 + by;
+  return off_second_program(believed, altered);
 }
 
 // What a blow did to a wall of 8 mm: the walls before and after, in place.
 struct Beaten {
   std::vector<double> before, after, areas;  // m, m, m^2 of each element's outer face
   double outer = 0.0;                        // m, in the middle of the blow, afterwards
+  double across = 0.0;                       // m, the same on the other side of the ring
 };
 Beaten beaten(const BeatingDef& law, bool anvil) {
   SceneDef def = lone_wall(120, 240, kBeatenIn, kBeatenOut);
@@ -69,17 +115,32 @@ Beaten beaten(const BeatingDef& law, bool anvil) {
   }
   walls(all.after);
   all.outer = double{scene.clay().outer(row)[0]};
+  all.across = double{scene.clay().outer(row)[120]};
   return all;
+}
+
+double pressure_on(double stress, double thick) {
+  return stress * (1.0 + 2.0 * kPaddle / (3.0 * std::sqrt(3.0) * thick));
 }
 
 double a_blow_on_an_anvil(double by) {
   const Beaten wall = beaten({kEnergy, kPaddle, (1.0 + by) * kStress}, true);
-  const double thick = kBeatenOut - kBeatenIn;
-  const double pressure = kStress * (1.0 + 2.0 * kPaddle / (3.0 * std::sqrt(3.0) * thick));
+  const double pressure = pressure_on(kStress, kBeatenOut - kBeatenIn);
   double work = 0.0;
   for (std::size_t n = 0; n < wall.before.size(); ++n)
     work += pressure * wall.areas[n] * wall.before[n] * std::log(wall.before[n] / wall.after[n]);
   return share_apart(work, kEnergy);
+}
+
+// Half of the mean ln(t / t') goes round. E / (p t) is the sum of ln(t / t') over the face; of the
+// face's weight a third of its area lies on all rings, and 16/15 of its radius on the middle one.
+double a_blow_that_widens(double by) {
+  const Beaten wall = beaten({kEnergy, kPaddle, (1.0 + by) * kStress}, true);
+  const double thick = kBeatenOut - kBeatenIn, middle = 0.5 * (kBeatenOut + kBeatenIn);
+  const double squeezed = kEnergy / (pressure_on(kStress, thick) * thick);
+  const double on_middle = 16.0 / 15.0 * kPaddle / (2.0 * portable::kPi * kBeatenOut);
+  const double on_all = portable::kPi * kPaddle * kPaddle / 3.0;
+  return share_apart(wall.across - kBeatenOut, 0.5 * middle * on_middle * squeezed / on_all);
 }
 
 double a_blow_without_an_anvil(double by) {
@@ -91,10 +152,18 @@ double a_blow_without_an_anvil(double by) {
 constexpr Witness kBuildingWitnesses[] = {
     {"a ring of coil", "Pappus: its section times the way of its middle", "building.coil", 1e-4, "",
      a_ring_of_coil},
+    {"a ring pressed flat", "its height: pi coil^2 / 4 by the mean chord, 0.893 coils",
+     "building.coil", 2e-3, "", a_ring_pressed_flat},
+    {"a ring that wanders", "a second program: where the hand went, the last gap closed evenly",
+     "building.coil", 1e-4, "m", a_ring_that_wanders},
     {"a blow on an anvil", "its energy: Y ln(t / t') over the clay, under rough faces",
      "beating.yield_stress", 5e-3, "", a_blow_on_an_anvil},
     {"a blow without an anvil", "its energy: pi Y t^2 times the dent", "beating.yield_stress", 5e-3,
      "", a_blow_without_an_anvil},
+    {"a blow that widens the ring", "half of E / (p t) over the face, by hand",
+     "beating.yield_stress", 2e-3, "", a_blow_that_widens},
+    {"eight blows on a wall that turns", "a second program in doubles: plane, depth, round and up",
+     "beating.yield_stress", 2e-6, "m", eight_blows},
 };
 
 }  // namespace
