@@ -68,7 +68,8 @@ cli::Command accuracy_command() {
           "Example: onggi lab accuracy --quick --plot accuracy.png\n"
           "         onggi lab accuracy --json accuracy.json --csv accuracy.csv\n"
           "Shape in mm, force in N and volume in %, against a reference in doubles; "
-          "time is the thread's own.",
+          "time is the thread's own.\n"
+          "Of throwing, of a ring of coil as it is laid, and of a wall that is beaten.",
       .options = {{"--quick", &a->plan.quick, "Fewer combinations: a minute or so"},
                   {"--json", &a->json,
                    "Write everything as JSON (- for standard output, here and below)"},

@@ -62,6 +62,7 @@ std::vector<AccuracyOrder> orders_of(const std::vector<Row>& rows) {
         if (quantity == std::string("shape") && knob != std::string("grid")) continue;
         const double theory = theory_of(fine.setting, knob, quantity);
         const double is = value_of(fine, quantity), before = value_of(*middle, quantity);
+        if (std::isnan(is)) continue;  // it was not compared
         orders.push_back(
             {fine.script, fine.setting, knob, quantity, theory, std::fabs(before - is),
              lab::observed_order(value_of(*coarse, quantity), before, is, 2.0, theory)});

@@ -43,6 +43,17 @@ Chart::Line dearest_scene(const AccuracyReport& report) {
   return line;
 }
 
+// A builder's work on our grids. Blows come so near that they would leave no room for the rest.
+Chart::Line work_line(const AccuracyReport& report, const char* script, const char* name,
+                      view::Color color) {
+  Chart::Line line{name, color, false, true, false, {}};
+  for (const lab::AccuracyRow& row : report.rows)
+    if (row.script == script && at_a_kilohertz(row.setting) &&
+        1e3 * row.errors.shape_rms >= 0.1 * report.truth_mm)
+      line.marks.push_back({row.p999, 1e3 * row.errors.shape_rms});
+  return line;
+}
+
 std::vector<Chart::Force> forces_of(const AccuracyReport& report) {
   Chart::Force ours{view::kDeepCeladon, false, {}, {}};
   Chart::Force printed{view::kIron, true, {}, {}};
@@ -92,6 +103,9 @@ plots::AccuracyChart chart_of(const AccuracyReport& report) {
     line.marks.back().broke = broke(report, s);
   }
   chart.lines = {printed, ours, dearest_scene(report)};
+  for (const Chart::Line& line : {work_line(report, "coil", "a ring of coil", view::kDryClay),
+                                  work_line(report, "blows", "blows on a wall", view::kCobalt)})
+    if (!line.marks.empty()) chart.lines.push_back(line);
   for (const std::size_t n : report.edge) chart.edge.push_back(mark_of(report.settings[n]));
   if (report.recommended)
     chart.chosen = {report.recommended->chosen.p999,

@@ -6,7 +6,7 @@
 namespace onggi::measure {
 
 /// The chart of accuracy against time: our grids and those of the most expensive scene, the printed
-/// model's settings as hollow marks, all other settings as a cloud, and the vases.
+/// model's settings as hollow marks, all other settings as a cloud, coils and blows, and the vases.
 plots::AccuracyChart chart_of(const AccuracyReport& report);
 
 }  // namespace onggi::measure

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "kiosk/lab/measure/accuracy_built.h"
+
 namespace onggi::measure {
 namespace {
 
@@ -115,11 +117,11 @@ void tell_orders(const AccuracyReport& report, std::string& text) {
                          Line{"exact", "tick", Model::plain, TimeRule::exact},
                          Line{"euler", "tick", Model::plain, TimeRule::printed}})
     for (const char* script :
-         {"press", "pull", "groove", "collar", "centre", "near_axis", "throw"}) {
+         {"press", "pull", "groove", "collar", "centre", "near_axis", "throw", "coil", "blows"}) {
       const auto order = [&](const char* quantity) {
         return finest_order(report.orders, of.model, of.rule, script, of.knob, quantity);
       };
-      if (order("force") == nullptr) continue;
+      if (order("force") == nullptr && order("volume") == nullptr) continue;
       text += line("%-10s %-9s %-9s %-23s %-23s %-23s\n", script, of.name, of.knob,
                    order_words(order("shape")).c_str(), order_words(order("force")).c_str(),
                    order_words(order("volume")).c_str());
@@ -331,6 +333,7 @@ std::string text_of(const AccuracyReport& report) {
            static_cast<unsigned long long>(report.plan.seed));
   text += line("The reference is within %.4f mm of one half as fine.\n", report.truth_mm);
   tell_grids(report, text);
+  text += words_of_built(report.rows);
   tell_printed_force(report, text);
   tell_orders(report, text);
   text += "\nThe edge: what nothing else beats in time and shape at once.\n";

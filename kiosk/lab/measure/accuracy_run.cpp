@@ -10,6 +10,7 @@
 #include "kiosk/exhibit/tuning/machine.h"
 #include "kiosk/exhibit/tuning/scene_bench.h"
 #include "kiosk/ground/files/monotonic.h"
+#include "kiosk/lab/measure/accuracy_built.h"
 #include "kiosk/lab/measure/accuracy_orders.h"
 #include "kiosk/lab/measure/scene_presets.h"
 
@@ -66,6 +67,14 @@ std::vector<Known> truths_of(const std::vector<lab::AccuracyScript>& scripts,
   work();
   other.get();
   return all;
+}
+
+// What no truth is surer of, mm.
+double farthest_mm(const std::vector<Known>& truths, const std::vector<KnownBuilt>& built) {
+  double most = 0.0;
+  for (const Known& known : truths) most = std::max(most, 1e3 * known.apart);
+  for (const KnownBuilt& known : built) most = std::max(most, 1e3 * known.apart);
+  return most;
 }
 
 // What random hands break in a model on a grid, in the benchmark's own scene.
@@ -139,7 +148,7 @@ void sum_up(AccuracyReport& report, const std::vector<lab::AccuracyScript>& scri
   });
   report.settings = lab::summaries(of_scripts);
   report.edge = lab::pareto_edge(report.settings);
-  report.scenes = lab::summaries(report.rows);
+  report.scenes = lab::summaries(without_built(report.rows));
   report.recommended = lab::recommend(report.scenes, 1000.0, report.thresholds);
 }
 
@@ -160,9 +169,13 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
   for (const lab::AccuracyScript& script : scripts)
     for (const Setting& setting : settings)
       if (lab::can_work(script, setting)) all += work_of(script, setting, plan.passes(setting));
+  for (const lab::BuiltScript& script : lab::built_scripts())
+    for (const Setting& setting : built_settings(plan, script))
+      all += work_of(script, setting, plan.passes(setting));
   Teller teller(told, all);
   const std::vector<Known> truths = truths_of(scripts, plan.truth());
-  for (const Known& known : truths) report.truth_mm = std::max(report.truth_mm, 1e3 * known.apart);
+  const std::vector<KnownBuilt> built = built_truths(plan);
+  report.truth_mm = farthest_mm(truths, built);
   teller.done(truth_work, "what is true of each script");
 
   for (std::size_t n = 0; n < scripts.size(); ++n)
@@ -174,6 +187,15 @@ Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* tol
       teller.done(work_of(scripts[n], setting, passes),
                   scripts[n].name + ", " + lab::name_of(setting.model) + " on " +
                       std::to_string(setting.rows) + " x " + std::to_string(setting.sectors));
+    }
+  for (const KnownBuilt& known : built)
+    for (const Setting& setting : built_settings(plan, known.script)) {
+      const int passes = plan.passes(setting);
+      report.rows.push_back(
+          lab::measure_built(known.script, known.truth, setting, tuning::thread_us, passes));
+      teller.done(work_of(known.script, setting, passes), known.script.name + " on " +
+                                                              std::to_string(setting.rows) + " x " +
+                                                              std::to_string(setting.sectors));
     }
   for (const ScenePreset& preset : *scenes) {
     const auto bench = tuning::SceneBench::create(preset.name, preset.def, plan.preset_truth_rows(),
@@ -209,7 +231,7 @@ AccuracyReport report_again(AccuracyReport before, std::FILE* told) {
   const std::vector<lab::AccuracyScript> scripts = lab::accuracy_scripts();
   Teller teller(told, 3.0);
   const std::vector<Known> truths = truths_of(scripts, before.plan.truth());
-  for (const Known& known : truths) before.truth_mm = std::max(before.truth_mm, 1e3 * known.apart);
+  before.truth_mm = farthest_mm(truths, built_truths(before.plan));
   teller.done(1.0, "what is true of each script");
   before.unstable = all_unstable(before.plan);
   teller.done(1.0, "random hands");

@@ -39,7 +39,7 @@ struct AccuracyReport {
   std::vector<lab::AccuracyRow> rows;
   std::vector<AccuracyOrder> orders;
   std::vector<lab::SettingSummary> settings;  ///< For the scripts: everything but the presets.
-  /// For scripts and presets: the basis of the recommendation.
+  /// For scripts and presets: the basis of the recommendation. Neither has coils and blows.
   std::vector<lab::SettingSummary> scenes;
   std::vector<std::size_t> edge;  ///< Indices in settings.
   std::vector<UnstableSetting> unstable;
@@ -49,10 +49,10 @@ struct AccuracyReport {
   std::optional<lab::Recommendation> recommended;  ///< At 1 kHz.
 };
 
-/// Runs all of `plan` in the scripts and in the presets of the program's config/scenes; prints
-/// progress and remaining time to `told` every two seconds. Times are the thread's own. Takes
-/// minutes and memory for 6400 x 2880. Not for the 1 kHz thread. Problem if a preset is not a
-/// scene.
+/// Runs all of `plan` in the scripts, in a builder's and in the presets of the program's
+/// config/scenes; prints progress and remaining time to `told` every two seconds. Times are the
+/// thread's own. Takes minutes and memory for 6400 x 2880. Not for the 1 kHz thread. Problem if a
+/// preset is not a scene.
 Result<AccuracyReport> measure_accuracy(const AccuracyPlan& plan, std::FILE* told);
 
 /// Completes `before`, which has the rows of an earlier run, its plan and its names: everything but

@@ -130,6 +130,55 @@ TEST(AccuracyReport, ADamagedCsvIsToldByItsLine) {
   EXPECT_EQ(where(""), "accuracy.csv");
 }
 
+// A row of coils as a run gives it.
+lab::AccuracyRow coil_row(int rows, double mm) {
+  lab::AccuracyRow out = row(AccuracySetting::Model::shipped, rows, 50.0, mm);
+  out.script = "coil";
+  out.errors.force_rms = out.mean_force = out.true_force = out.impulse =
+      std::numeric_limits<double>::quiet_NaN();
+  out.displaced = 1e-6 * (1.0 + mm);
+  return out;
+}
+
+TEST(AccuracyReport, AForceThatWasNotComparedIsNullInJsonAndComesBackFromTheCsv) {
+  AccuracyReport report = some_report();
+  report.rows.push_back(coil_row(400, 0.02));
+  const auto json = nlohmann::json::parse(json_of(report).text());
+  EXPECT_TRUE(json["rows"].back()["force_n_rms"].is_null());
+  EXPECT_TRUE(json["rows"].back()["true_force_n_mean"].is_null());
+  EXPECT_TRUE(json["rows"].back()["shape_mm_rms"].is_number());
+  const auto back = report_of_csv(csv_of(report), "accuracy.csv");
+  ASSERT_TRUE(back) << to_text(back.error());
+  EXPECT_EQ(csv_of(*back), csv_of(report));
+}
+
+TEST(AccuracyReport, CoilsHaveOrdersOfShapeAndVolumeButNoneOfForce) {
+  AccuracyReport report = some_report();
+  for (const auto& [rows, mm] : {std::pair{100, 0.12}, std::pair{200, 0.04}, std::pair{400, 0.014}})
+    report.rows.push_back(coil_row(rows, mm));
+  report.orders = orders_of(report.rows);
+  for (const AccuracyOrder& order : report.orders)
+    EXPECT_FALSE(order.script == "coil" && order.quantity == "force");
+  const std::string text = text_of(report);
+  EXPECT_NE(text.find("\ncoil       ours      grid"), std::string::npos) << text;
+  EXPECT_NE(text.find("A ring of coil as it is laid"), std::string::npos) << text;
+}
+
+TEST(AccuracyReport, ThePictureHasALineOfCoilsOnlyWhereTheyWereMeasured) {
+  AccuracyReport report = some_report();
+  const std::size_t without = chart_of(report).lines.size();
+  for (const int rows : {200, 400}) report.rows.push_back(coil_row(rows, 0.02));
+  const plots::AccuracyChart chart = chart_of(report);
+  ASSERT_EQ(chart.lines.size(), without + 1);
+  EXPECT_EQ(chart.lines.back().name, "a ring of coil");
+  ASSERT_EQ(chart.lines.back().marks.size(), 2u);
+  EXPECT_NEAR(chart.lines.back().marks[0].mm, 0.02, 1e-12);
+  EXPECT_EQ(chart.lines.back().marks[0].us, 50.0);
+  report.rows.back().errors.shape_rms = 3.9e-7;  // nearer than a tenth of what is sure
+  report.truth_mm = 0.004;
+  EXPECT_EQ(chart_of(report).lines.back().marks.size(), 1u);
+}
+
 TEST(AccuracyReport, APersonReadsThatThePrintedForceGrowsWithTheGrid) {
   const std::string text = text_of(some_report());
   EXPECT_NE(text.find("does not converge"), std::string::npos);
