@@ -17,8 +17,8 @@ struct BuiltScript {
   SceneWork work;                ///< Its hands, and its scene; the caller sets the grid.
   double low = 0.0, high = 0.0;  ///< Heights between which the faces are compared, m.
 };
-/// coil: a hand lays a ring on a standing wall (coil_work). blows: eight blows on a turning wall,
-/// five of which squeeze it and move it inwards, three of which move it outwards (blow_work).
+/// coil: a hand lays a ring on a standing wall (coil_work). blows: eight blows squeeze a turning
+/// wall; four of them also move it inwards, and three outwards (blow_work).
 std::vector<BuiltScript> built_scripts();
 /// True if `name` is that of a built script.
 bool is_built(const std::string& name);
