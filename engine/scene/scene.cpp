@@ -22,10 +22,10 @@ Scene::~Scene() = default;
 Feedback Scene::step(const Hands& hands, double dt) noexcept {
   State& s = *state_;
   State::Tick tick;
-  s.take_input(tick, hands, dt);                                    // 1
-  s.turn_wheel(tick);                                               // 2
+  s.take_input(tick, hands, dt);                                                // 1
+  s.turn_wheel(tick);                                                           // 2
   if constexpr (effects::kBuilt) s.soak_or_dry(tick, hands.water, hands.fire);  // 3
-  s.work_on_lump(hands);                                            // 4
+  s.work_on_lump(hands);                                                        // 4
   if (s.printed) {
     s.press_as_printed(tick);  // 5, 7
   } else {

@@ -25,6 +25,7 @@ constexpr double kAbove = 0.04;       // m: where the hand waits
 constexpr double kPressed = 0.0005;   // m: how deep the coil rests on the rim
 constexpr int kWays = 4;              // that the paddle goes up or down a vessel, at most
 constexpr double kWay = 16.0;         // s at pace 1
+constexpr double kDries = 10.0;       // s that charcoal hangs in the pot before the first blow
 
 // A hand that lays ring on ring, and how long each takes.
 class CoilUp {
@@ -132,14 +133,16 @@ class BuildingUp final : public Script {
         paddle_(context.scene, context.pace, &plan_),
         beating_wheel_(std::min(PaddleUp::kSpeed * context.pace, context.scene.wheel.max_speed)),
         way_(kWay / context.pace),
+        pause_(context.scene.moisture && context.scene.beating ? kDries : kSpinUp),
         rings_(plan_.rings()) {}
 
   Hands at(double t, const Clay& clay) noexcept override {
     Hands hands;
     const double since = t - kSpinUp;
-    if (since >= 0.0 && since >= laid_by() && beats_from_ < 0.0) beats_from_ = since + kSpinUp;
+    if (since >= 0.0 && since >= laid_by() && beats_from_ < 0.0) beats_from_ = since + pause_;
     const double beats = beats_from_ < 0.0 ? -1.0 : since - beats_from_;
     hands.wheel_speed = beats_from_ < 0.0 ? coil_.wheel() : beating_wheel_;
+    hands.fire = beats_from_ >= 0.0 && plan_.beats() && t < duration() && !done_;
     if (since < 0.0 || t >= duration() || done_) return hands;
     if (beats_from_ < 0.0) {
       if (coil_.begins(since, clay)) {
@@ -148,7 +151,7 @@ class BuildingUp final : public Script {
         wanted_ = plan_.next_ring(clay);
       }
       hands.hand[0] = coil_.at(since, lacks_, wanted_, clay);
-      if (begun_ && !lacks_) beats_from_ = since + kSpinUp;
+      if (begun_ && !lacks_) beats_from_ = since + pause_;
     } else if (beats >= 0.0 && plan_.beats()) {
       const auto way = static_cast<int>(beats / way_);
       const double share = beats / way_ - way;
@@ -162,12 +165,13 @@ class BuildingUp final : public Script {
   }
 
   double duration() const override {
-    return kSpinUp + laid_by() + (plan_.beats() ? kSpinUp + kWays * way_ : 0.0);
+    return kSpinUp + laid_by() + (plan_.beats() ? pause_ + kWays * way_ : 0.0);
   }
   std::string_view phase(double t) const override {
     const double since = t - kSpinUp;
     if (since < 0.0) return "wheel";
     if (beats_from_ >= 0.0 && since >= beats_from_) return "beat";
+    if (beats_from_ >= 0.0 && plan_.beats()) return "dry";
     return coil_.comes_down(since) ? "next" : "lay";
   }
 
@@ -178,7 +182,7 @@ class BuildingUp final : public Script {
   RingPlan plan_;
   CoilUp coil_;
   PaddleUp paddle_;
-  double beating_wheel_, way_;  // rad/s, s
+  double beating_wheel_, way_, pause_;  // rad/s, s, s
   int rings_;
   bool begun_ = false, lacks_ = false, done_ = false;
   double wanted_ = 0.0;       // m from the axis

@@ -179,7 +179,8 @@ double RingPlan::next(const Pot& pot) const {
 }
 
 template <class Pot>
-Swings RingPlan::strike(const Pot& pot, double height, std::optional<double> angle) const {
+Swings RingPlan::strike(const Pot& pot, double height, std::optional<double> angle,
+                        double strength) const {
   if (!beats() || pot.floor_rows() >= pot.rows()) return {};
   const Here here = wall_at(pot, height, angle, beating_->face);
   const double below = wall_clay(pot, pot.floor_rows(), here.row);
@@ -194,7 +195,7 @@ Swings RingPlan::strike(const Pot& pot, double height, std::optional<double> ang
   const double off = place.outer - ends;
   // As in Beating: the load at which the wall folds, and the pressure between two rough plates over
   // a face whose weights come to a third of its area.
-  const double stress = kFirmness * beating_->yield_stress, face = beating_->face;
+  const double stress = kFirmness * strength * beating_->yield_stress, face = beating_->face;
   const double load = portable::kPi * stress * here.wall * here.wall;
   const double moves = std::min(kGain * std::fabs(off) * load / beating_->energy, 1.0);
   const double pressure = stress * (1.0 + 2.0 * face / (3.0 * std::sqrt(3.0) * here.wall));
@@ -271,11 +272,13 @@ bool RingPlan::lacks_a_ring(const Clay& pot) const { return lacks(pot, wall_clay
 bool RingPlan::lacks_a_ring(const ClayView& pot) const { return lacks(pot, wall_clay(pot)); }
 double RingPlan::next_ring(const Clay& pot) const { return next(pot); }
 double RingPlan::next_ring(const ClayView& pot) const { return next(pot); }
-Swings RingPlan::swings(const Clay& pot, double height, std::optional<double> angle) const {
-  return strike(pot, height, angle);
+Swings RingPlan::swings(const Clay& pot, double height, std::optional<double> angle,
+                        double strength) const {
+  return strike(pot, height, angle, strength);
 }
-Swings RingPlan::swings(const ClayView& pot, double height, std::optional<double> angle) const {
-  return strike(pot, height, angle);
+Swings RingPlan::swings(const ClayView& pot, double height, std::optional<double> angle,
+                        double strength) const {
+  return strike(pot, height, angle, strength);
 }
 bool RingPlan::to_beat(const Clay& pot) const { return wants_blows(pot); }
 bool RingPlan::to_beat(const ClayView& pot) const { return wants_blows(pot); }

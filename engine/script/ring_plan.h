@@ -48,9 +48,12 @@ class RingPlan {
   /// The next blow at `height`, so that the wall there gets thin and comes to the vessel's line: it
   /// is squeezed while it is too thick, and one of the two strikes harder where it would end beside
   /// the line. `angle`: of the blow in the clay's frame, rad; absent: the mean of the ring counts.
-  /// Full swings without beats().
-  Swings swings(const Clay& pot, double height, std::optional<double> angle) const;
-  Swings swings(const ClayView& pot, double height, std::optional<double> angle) const;
+  /// `strength`: the wall's there, as a share of dry clay's (effects::strength()). Full swings
+  /// without beats().
+  Swings swings(const Clay& pot, double height, std::optional<double> angle,
+                double strength = 1.0) const;
+  Swings swings(const ClayView& pot, double height, std::optional<double> angle,
+                double strength = 1.0) const;
   /// Where blows are needed most.
   struct Worst {
     double height = 0.0;  ///< m
@@ -79,7 +82,7 @@ class RingPlan {
   template <class Pot>
   double next(const Pot& pot) const;
   template <class Pot>
-  Swings strike(const Pot& pot, double height, std::optional<double> angle) const;
+  Swings strike(const Pot& pot, double height, std::optional<double> angle, double strength) const;
   template <class Pot>
   bool wants_blows(const Pot& pot) const;
   template <class Pot, class Visit>

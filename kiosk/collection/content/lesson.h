@@ -13,9 +13,9 @@
 namespace onggi::content {
 
 /// What the hands in a step's drawing do.
-enum class HandsDrawn : std::uint8_t { around, inside, up, along, rim, wire, coil, paddle };
-inline constexpr std::array<std::string_view, 8> kHandsDrawn{"around", "inside", "up",   "along",
-                                                             "rim",    "wire",   "coil", "paddle"};
+enum class HandsDrawn : std::uint8_t { around, inside, up, along, rim, wire, coil, fire, paddle };
+inline constexpr std::array<std::string_view, 9> kHandsDrawn{
+    "around", "inside", "up", "along", "rim", "wire", "coil", "fire", "paddle"};
 
 /// What a visitor has done when a step is complete.
 enum class DoneWhen : std::uint8_t {
@@ -27,11 +27,13 @@ enum class DoneWhen : std::uint8_t {
   cut,
   laid,     ///< Of a pot that is built of coils: a ring is closed;
   built,    ///< it has its vessel's clay;
-  ringing,  ///< a blow fell on clay that is dry enough;
+  dried,    ///< it is dry enough to be beaten;
+  ringing,  ///< a blow fell on clay that is;
   beaten    ///< its wall is thin and on the line.
 };
-inline constexpr std::array<std::string_view, 10> kDoneWhen{
-    "touched", "opened", "raised", "shaped", "rim", "cut", "laid", "built", "ringing", "beaten"};
+inline constexpr std::array<std::string_view, 11> kDoneWhen{
+    "touched", "opened", "raised", "shaped",  "rim",   "cut",
+    "laid",    "built",  "dried",  "ringing", "beaten"};
 
 /// One step of a lesson.
 struct LessonStep {

@@ -181,6 +181,7 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
     wheel.coil = def.building->coil;
     wheel.pace = def.building->pace;
     wheel.floor = scene::built_floor(def.clay);
+    wheel.moisture = def.moisture;
     wheel.tools.insert(wheel.tools.begin(), {0, kCoil, 0.5 * *wheel.coil, 0.5 * *wheel.coil});
   }
   if (def.beating) {

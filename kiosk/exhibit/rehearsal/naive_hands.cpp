@@ -169,7 +169,7 @@ void NaiveHands::beat(const screens::WheelSnapshot& sight) {
 void NaiveHands::choose(const screens::WheelSnapshot& sight) {
   works_by_.clear();
   const std::string& key = sight.hint.key;
-  if (key == "hint.lay_coil" || key == "hint.beat" || key == "hint.beaten") {
+  if (key == "hint.lay_coil" || key == "hint.beat" || key == "hint.wet" || key == "hint.beaten") {
     works_by_ = key;
     changed_since_ = -1;
     return key == "hint.lay_coil" ? lay(sight) : beat(sight);
@@ -231,8 +231,8 @@ NaiveHands::Point NaiveHands::tremble(double dt) {
 /// The button that a hint asks for, some time after it came; empty: none yet.
 std::string NaiveHands::asked_for(double now, const screens::WheelSnapshot& sight) {
   const std::string& key = sight.hint.key;
-  const bool in = key == "hint.go_inside", good = key == "hint.beaten";
-  const bool asks = in || key == "hint.go_outside" || !sight.tool.empty() || good;
+  const bool in = key == "hint.go_inside", good = key == "hint.beaten", wet = key == "hint.wet";
+  const bool asks = in || wet || key == "hint.go_outside" || !sight.tool.empty() || good;
   if (!asks || key != asked_key_) {
     asked_since_ = asks ? now : -1;
     asked_key_ = key;
@@ -242,6 +242,7 @@ std::string NaiveHands::asked_for(double now, const screens::WheelSnapshot& sigh
   asked_since_ = now;
   wait_until_ = now + random_.uniform(0.6, 1.2);  // the way to the button and back
   if (good) return finish();
+  if (wet) return "throw.fire";
   if (sight.tool.empty()) return in ? "throw.inside" : "throw.outside";
   tray_open_ = !tray_open_;
   return tray_open_ ? "throw.tools" : sight.tool;

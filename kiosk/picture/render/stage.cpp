@@ -350,6 +350,7 @@ void Stage::set_clay(const Program& program, const view::PotView& pot, const glm
   program.set("share", 1.0f);
   program.set("pixel", pixel / size);
   program.set("wetness", static_cast<float>(pot.wetness));
+  program.set("embers", static_cast<float>(std::clamp(pot.embers, 0.0, 1.0)));
   skin_.set(program, pot, kWetRows);
   if (coat_.shown()) coat_.set(program, pixel / size, kCoat);
 }

@@ -121,6 +121,7 @@ struct PotView {
   double wetness = 0;      ///< Mean, 0..1.
   /// Wetness at even heights, foot to rim, 0..1, at most 256; empty: `wetness` all over.
   std::vector<float> wetness_by_row;
+  double embers = 0;      ///< 0..1: how bright charcoal glows in the pot.
   bool slip_wet = false;  ///< `wetness_by_row` is of the slip: the clay below is leather-hard.
   Finish finish = Finish::clay;
   Glazing glazing;    ///< For `firing` and `fired`.

@@ -8,6 +8,10 @@
 
 namespace onggi::screens {
 
+namespace {
+constexpr double kWallIsThere = 0.85;  // of the vessel's height, of a pot that is built of coils
+}  // namespace
+
 void Desk::forget() {
   std::optional<VisitNotes> counted =
       notes.finish(now, std::exchange(leaves, VisitNotes::End::back));
@@ -132,6 +136,9 @@ void Desk::judge(const ShelfCard& answered) {
     return;
   }
   score = judged(answered, made);
+  // Of a wall that is not there, no part is too wide.
+  if (wheel().coil && made.height() < kWallIsThere * answered.target.height())
+    score.try_next = {{"remark.more_rings", {}}};
   notes.judged(score.points);
 }
 

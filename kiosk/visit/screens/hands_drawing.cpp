@@ -90,6 +90,18 @@ void draw_lump(Slip& slip) {
   slip.arrow({{0.36f, 0.42f}, {0.44f, 0.39f}, {0.53f, 0.385f}, {0.62f, 0.42f}});
 }
 
+// A bowl of embers hangs by two cords in a jar that is cut open; warmth rises from it.
+void draw_fire(Slip& slip) {
+  slip.jar();
+  slip.both({{0.5f, 0.74f}, {0.44f, 0.73f}, {0.40f, 0.66f}}, view::kInk, 1.8f);
+  slip.line({{0.40f, 0.66f}, {0.60f, 0.66f}}, view::kInk, 1.8f);
+  slip.both({{0.41f, 0.66f}, {0.47f, 0.14f}}, view::kInk);
+  slip.line({{0.43f, 0.63f}, {0.47f, 0.60f}, {0.50f, 0.63f}, {0.54f, 0.60f}, {0.57f, 0.63f}},
+            view::kIron, 2.2f);
+  for (const float x : {0.44f, 0.50f, 0.56f})
+    slip.line({{x, 0.56f}, {x + 0.02f, 0.53f}, {x - 0.02f, 0.48f}, {x, 0.45f}}, view::kIron, 1.4f);
+}
+
 }  // namespace
 
 void draw_hands(Page& page, const view::Rect& box, HandsDrawn hands) {
@@ -125,6 +137,9 @@ void draw_hands(Page& page, const view::Rect& box, HandsDrawn hands) {
       slip.rings();
       slip.hand(0.70f, 0.42f, -0.94f, 0.34f, 1);
       slip.arrow({{0.36f, 0.30f}, {0.44f, 0.27f}, {0.53f, 0.265f}, {0.62f, 0.30f}});
+      break;
+    case HandsDrawn::fire:
+      draw_fire(slip);
       break;
     case HandsDrawn::paddle:
       slip.jar();

@@ -73,6 +73,7 @@ Hint next_hint(const HintInput& in) {
   const BuiltPot built = in.built.value_or(BuiltPot{});
   if (built.lacks_a_ring)
     return in.coil_held ? Hint{"hint.lay_coil", {}, {}} : Hint{"hint.take_coil", in.tools_way, {}};
+  if (in.paddle_held && built.to_beat && built.wet) return {"hint.wet", {}, {}};
   if (in.paddle_held && !in.built) return {"hint.beat_freely", {}, {}};
   if (in.paddle_held && built.to_beat) return {"hint.beat", {}, built.worst};
   if (in.paddle_held && built.beaten) return {"hint.beaten", {}, {}};
@@ -103,8 +104,8 @@ std::vector<std::string> all_hints(const Desk& desk) {
         all.push_back(words_of({key, ToolTray::way_in(desk, held), {}}, desk));
   }
   if (desk.wheel().beating)
-    for (const char* key :
-         {"hint.beat", "hint.beat_freely", "hint.beaten", "hint.beat_all", "stroke.beats"})
+    for (const char* key : {"hint.beat", "hint.wet", "hint.beat_freely", "hint.beaten",
+                            "hint.beat_all", "stroke.beats"})
       all.push_back(desk.say(key));
   for (const auto& said : kWithoutPlace) all.push_back(desk.say(said.second));
   if (desk.described() != nullptr)

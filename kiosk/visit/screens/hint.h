@@ -16,6 +16,7 @@ struct BuiltPot {
   bool to_beat = false;                ///< Its rings are laid, and its wall is still to be beaten;
   std::optional<Hint::Press> worst{};  ///< here most (with a paddle in the hand).
   bool beaten = false;                 ///< It was beaten, and has its vessel's height.
+  bool wet = false;                    ///< Too wet to beat, and nothing dries it.
 };
 
 struct HintInput {

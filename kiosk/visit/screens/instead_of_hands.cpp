@@ -1,7 +1,9 @@
 #include "kiosk/visit/screens/instead_of_hands.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "engine/effects/moisture.h"
 #include "engine/scene/hand_view.h"
 
 namespace onggi::screens {
@@ -53,10 +55,22 @@ void InsteadOfHands::aim() {
   if (!beats) return;
   const ClayView& clay = desk_.world.wheel->clay;
   const Vec3 hand = desk_.status.hands.hand[0].position;
-  const script::Swings swings =
-      coil_.plan()->swings(clay, hand.y, std::atan2(hand.z, hand.x) - clay.angle);
+  const script::Swings swings = coil_.plan()->swings(
+      clay, hand.y, std::atan2(hand.z, hand.x) - clay.angle, strength_at(hand.y));
   if (swings != aimed_) desk_.world.wheel_commands->swing(swings);
   aimed_ = swings;
+}
+
+double InsteadOfHands::strength_at(double height) const {
+  const auto& moisture = desk_.wheel().moisture;
+  if (!moisture) return 1.0;
+  const ClayView& clay = desk_.world.wheel->clay;
+  const auto rows = static_cast<double>(clay.wet.size());
+  const double share = std::clamp(height / clay.rim_height(), 0.0, 1.0);
+  const double wet = clay.wet.empty()
+                         ? desk_.status.feedback.wetness
+                         : double{clay.wet[static_cast<std::size_t>(share * (rows - 1.0))]};
+  return effects::strength(*moisture, wet);
 }
 
 bool InsteadOfHands::to_beat() const {
@@ -65,7 +79,7 @@ bool InsteadOfHands::to_beat() const {
 
 std::optional<BuiltPot> InsteadOfHands::state() const {
   if (coil_.plan() == nullptr) return std::nullopt;
-  BuiltPot built{coil_.lacks_a_ring(), to_beat(), {}, false};
+  BuiltPot built{coil_.lacks_a_ring(), to_beat()};
   if (worst_) built.worst = Hint::Press{worst_->height, worst_->inward};
   built.beaten = coil_.plan()->beaten(desk_.world.wheel->clay);
   return built;

@@ -58,6 +58,9 @@ class InsteadOfHands {
   Button button(Button show) const;
 
  private:
+  /// Of the wall at `height` (m), as a share of dry clay's.
+  double strength_at(double height) const;
+
   const Desk& desk_;
   bool two_;
   CoilAtWheel coil_;

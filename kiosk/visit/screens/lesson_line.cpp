@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kiosk/visit/screens/fire_button.h"
 #include "kiosk/visit/screens/target_line.h"
 
 namespace onggi::screens {
@@ -20,7 +21,6 @@ constexpr double kShapedShare = 0.5;  // of the heights are on the line
 constexpr double kOpened = 0.25;      // of the most that it must become wider
 constexpr double kLook = 0.25;        // s between two checks of the outline
 constexpr double kCut = 0.99;         // of the section
-constexpr double kRings = 0.3;        // wetness: a blow on drier clay is heard to ring
 
 double share_on_line(const Profile& made, const Profile& target) {
   constexpr int kHeights = 48;
@@ -52,7 +52,7 @@ Opening opening(const Profile& pot, const Profile& made, const Profile& target) 
 /// True where the line asks for it, and the scene has it. To open a lump that is wider than its
 /// vessel everywhere would be wrong.
 bool asked_for(DoneWhen what, const Desk& desk, const Profile* target, const Profile& made) {
-  if (what == DoneWhen::ringing || what == DoneWhen::beaten)
+  if (what == DoneWhen::dried || what == DoneWhen::ringing || what == DoneWhen::beaten)
     return desk.wheel().beating.has_value();
   if (what != DoneWhen::opened || target == nullptr || made.points.empty()) return true;
   return opening(made, made, *target).asked > 0;
@@ -98,8 +98,10 @@ void LessonLine::watch_built(const Desk& desk, const BuiltPot& built, const Prof
   if (!built.lacks_a_ring) note(DoneWhen::built);
   if (!built.lacks_a_ring && !built.to_beat) note(DoneWhen::beaten);
   const Feedback& felt = desk.status.feedback;
+  if (FireButton::wet(desk)) return;
+  if (!built.lacks_a_ring) note(DoneWhen::dried);
   for (const HandFeedback& hand : felt.hand)
-    if (hand.blow > 0.0 && felt.wetness < kRings) note(DoneWhen::ringing);
+    if (hand.blow > 0.0) note(DoneWhen::ringing);
 }
 
 void LessonLine::watch(const Desk& desk, double dt, const Profile* target, const Profile& made) {

@@ -14,6 +14,12 @@ constexpr float kHelpLine = 0.52f * 55,
 constexpr std::string_view kGlobe =
     "arc 12,12 9,9 0 360; arc 12,12 4.2,9 0 360; 12,3 12,21; 3,12 21,12; 4.2,7.5 19.8,7.5; "
     "4.2,16.5 19.8,16.5";
+
+// Who held a finger still by chance now hears a voice: its way out is marked.
+Button comfort(const Desk& desk) {
+  const bool aided = desk.screen().spoken || desk.screen().one_switch;
+  return {"comfort", desk.say("all.comfort"), aided ? Look::chosen : Look::quiet};
+}
 }  // namespace
 
 std::vector<Button> globe(const Desk& desk) {
@@ -27,13 +33,13 @@ std::vector<Button> standing_buttons(const Desk& desk, bool with_back) {
   std::vector<Button> row = globe(desk);
   if (with_back) row.push_back({"back", desk.say("all.back"), Look::quiet});
   row.push_back({"help", desk.say("all.help"), Look::quiet});
-  row.push_back({"comfort", desk.say("all.comfort"), Look::quiet});
+  row.push_back(comfort(desk));
   return row;
 }
 
 std::vector<Button> reading_buttons(const Desk& desk) {
   std::vector<Button> row = globe(desk);
-  row.push_back({"comfort", desk.say("all.comfort"), Look::quiet});
+  row.push_back(comfort(desk));
   return row;
 }
 

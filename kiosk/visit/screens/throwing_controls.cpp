@@ -20,7 +20,7 @@ namespace {
 
 constexpr float kPotAbove = 0.4f;         // of the shorter side of the reach
 constexpr float kMostUsed = 4.0f / 3.0f;  // of the least touch target: 20 mm
-constexpr double kBlink = 1.2;            // s, of the water button while the clay is too dry
+constexpr double kBlink = 1.2;            // s, of a button that calls
 constexpr float kColumn = 0.3f, kLargerColumn = 0.42f, kWidestColumn = 0.5f;  // of the width
 
 constexpr const char *kToolsWay = "throw.tools", *kWheelWay = "throw.wheel",
@@ -61,12 +61,10 @@ void most_used(Column& column, const Desk& desk, const ThrowingControls& now) {
     add("throw.restore", fell ? "throw.before_fall" : "throw.before_tear",
         now.drawer == Drawer::closed ? Look::solid : Look::outline, desk.status.can_restore);
   } else {
-    const bool blinks = now.dry && std::fmod(desk.now, kBlink) < kBlink / 2;
-    add("throw.water", "throw.water",
-        now.water ? Look::chosen
-        : blinks  ? Look::called
-                  : Look::outline,
-        true, now.water);
+    const bool blinks = now.calls && std::fmod(desk.now, kBlink) < kBlink / 2;
+    const bool on = now.fire.value_or(now.water);
+    const char* const which = now.fire ? "throw.fire" : "throw.water";
+    add(which, which, on ? Look::chosen : blinks ? Look::called : Look::outline, true, on);
     // Reserve its place, unless the exhibit never shows it.
     if (!desk.eyes_closed() && (now.board || !desk.two_hands()))
       add("throw.show",
@@ -272,8 +270,9 @@ std::string sentence_of(const Desk& desk, const ThrowingControls& now, const Hin
   if (now.coil && now.working) return desk.say("stroke.lays");
   if (now.paddle && now.working) return desk.say("stroke.beats");
   if (hint.key == "hint.beat" || hint.key == "hint.beat_freely") return desk.say("hint.beat_all");
-  if (hint.key == "hint.take_paddle" || hint.key == "hint.beaten") return words_of(hint, desk);
-  if (hint.key == "hint.wheel_still" || hint.key == "hint.dry") return words_of(hint, desk);
+  for (const char* as_said :
+       {"hint.take_paddle", "hint.beaten", "hint.wet", "hint.wheel_still", "hint.dry"})
+    if (hint.key == as_said) return words_of(hint, desk);
   // A button lays the coil.
   if (hint.key == "hint.lay_coil" || hint.key == "hint.take_coil") return desk.say("hint.lay_ring");
   if (desk.described() != nullptr) return StrokeBoard::advice(desk);

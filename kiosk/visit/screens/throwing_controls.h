@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,9 @@ struct ThrowingControls {
   double speed = 0;  ///< Requested wheel speed, rad/s.
   device::Grip grip = device::Grip::both;
   bool water = false, cut = false;
-  bool dry = false;      ///< Water would help now: its button blinks.
+  std::optional<bool> fire = {};  ///< Charcoal's button is in the place of water's: whether it
+                                  ///< hangs in the pot.
+  bool calls = false;             ///< Water, or charcoal, would help now: its button blinks.
   bool onward = false;   ///< Done is what a visitor wants most: the clay was touched, and neither
                          ///< the lesson nor a drawer wants something else.
   bool restore = false;  ///< A stroke can be undone.

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "kiosk/visit/screens/fire_button.h"
 #include "kiosk/visit/screens/hint.h"
 #include "kiosk/visit/screens/instead_of_hands.h"
 #include "kiosk/visit/screens/lesson_line.h"
@@ -67,6 +68,7 @@ class Throwing final : public Screen {
       desk.world.wheel_commands->pause(false);
       speed_.send(desk);
       desk.world.wheel_commands->water(water_.wet());
+      fire_.gone();
       // A pot that comes back from its result has what its hands held then.
       if (coil().built() || desk.wheel().beating)
         take_up(coil().lacks_a_ring() ? CoilAtWheel::kTool
@@ -107,23 +109,24 @@ class Throwing final : public Screen {
     clay_.look(desk, contact);
     // A paddle needs no water.
     water_.look(contact && !instead_.paddle(), desk.status.feedback.wetness, dt);
+    fire_.look(desk, dt);
     if (desk.pot_ready() && !mishap_)
-      lesson_.update(desk, dt, target, picture_.made(), !show_.showing(), instead_.state());
+      lesson_.update(desk, dt, target, picture_.made(), !show_.showing(), built());
     measured_.update(desk, picture_.made());
     look_how_good(target);
     // Say nothing about the previous pot.
     if (desk.pot_ready())
-      hint_.update(desk.now,
-                   {target, &picture_.made(), score_ ? &*score_ : nullptr, speed_.asked() > 0,
-                    grip_, desk.touched, water_.asked_for(), desk.wheel().tool_radius,
-                    instead_.state(), coil().held(), instead_.paddle(),
-                    ToolTray::way_in(desk, held_), MeasuredPot::hint(desk)});
+      hint_.update(desk.now, {target, &picture_.made(), score_ ? &*score_ : nullptr,
+                              speed_.asked() > 0, grip_, desk.touched, water_.asked_for(),
+                              desk.wheel().tool_radius, built(), coil().held(), instead_.paddle(),
+                              ToolTray::way_in(desk, held_), MeasuredPot::hint(desk)});
   }
 
   std::optional<view::PotView> pot(const Page& page) override {
     if (dark()) return std::nullopt;
     view::PotView pot = picture_.view(desk, page);
     if (desk.pot_ready()) pot.coil = desk.world.wheel->coil;
+    pot.embers = fire_.glow();
     if (drawer_ == Drawer::tools) pot.opacity *= kBehindTools;
     wheel_radius_ = pot.wheel_radius;
     return pot;
@@ -169,7 +172,8 @@ class Throwing final : public Screen {
         grip(),
         water_.wet(),
         cut_,
-        water_.would_help(),
+        fire_there() ? std::optional(fire_.hangs()) : std::nullopt,
+        fire_there() ? hint_.shown().key == "hint.wet" : water_.would_help(),
         onward,
         desk.status.can_restore && whole,
         instead_.button(show_.button(desk, aim() == nullptr || dark() || hands_.two())),
@@ -207,6 +211,8 @@ class Throwing final : public Screen {
     } else if (control == "throw.water") {
       water_.press(desk.now);
       set_water(water_.wet());
+    } else if (control == "throw.fire") {
+      fire_.press(desk);
     } else if (control == "throw.cut") {
       cut_ = !cut_;
       cut_chosen_ = true;
@@ -301,7 +307,8 @@ class Throwing final : public Screen {
 
   bool key(Key key, bool repeat) override {
     by_keys_ = true;
-    if (const KeyedControl pressed = control_of(key); pressed.control != nullptr) {
+    if (KeyedControl pressed = control_of(key); pressed.control != nullptr) {
+      if (key == Key::water && fire_there()) pressed.control = "throw.fire";
       const bool there = key != Key::restore || desk.status.can_restore;
       if (there && (!repeat || pressed.repeats)) press(pressed.control);
       return true;
@@ -353,6 +360,13 @@ class Throwing final : public Screen {
  private:
   /// The keys move among buttons and do not move the hand.
   bool by_buttons() const { return menu_ || StrokeBoard::wanted(desk); }
+  std::optional<BuiltPot> built() const {
+    std::optional<BuiltPot> built = instead_.state();
+    if (built) built->wet = FireButton::wet(desk) && !fire_.hangs();
+    return built;
+  }
+  /// Neither coil nor paddle needs water.
+  bool fire_there() const { return coil().built() && desk.wheel().moisture && instead_.held(); }
   const CoilAtWheel& coil() const { return instead_.coil(); }
   CoilAtWheel& coil() { return instead_.coil(); }
   bool active() const { return hands_.active() || instead_.active(); }
@@ -381,7 +395,10 @@ class Throwing final : public Screen {
     const bool stop = instead_.by_itself();
     let_go();
     speed_.start(desk);
-    if (aim() != nullptr && !stop) instead_.work_by_itself(key_sign());
+    if (aim() != nullptr && !stop) {
+      instead_.work_by_itself(key_sign());
+      if (instead_.paddle() && FireButton::wet(desk)) fire_.hang(true, desk);
+    }
     send_hand();
   }
   /// The last ring has closed: the wall is beaten next, if the scene has a paddle. Without one a
@@ -431,7 +448,7 @@ class Throwing final : public Screen {
     }
     held_ = which;
     instead_.take_up(name, speed_);
-    if (instead) return;
+    if (instead) return set_water(false);  // its button is charcoal's now
     if (which == 0) return hands_.take_up({wheel.palm, wheel.palm_radius}, fine);
     const SceneForVisitor::Tool& tool = wheel.tools[which - 1];
     hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
@@ -468,6 +485,7 @@ class Throwing final : public Screen {
     if (card == nullptr || !desk.pot_ready() || desk.world.wheel->clay.rows() == 0) return;
     let_go();
     set_water(false);
+    fire_.hang(false, desk);
     // From here on the pot must not sag, dry or spring back, so that the visitor's result and the
     // keepsake match. It is scored when all its rows have arrived.
     desk.world.wheel_commands->pause(true);
@@ -496,7 +514,7 @@ class Throwing final : public Screen {
   bool asks_for_more() const {
     const Hint& hint = hint_.shown();
     if (LessonLine::shown(desk) != nullptr) return false;  // the wire is what it asks for
-    if (hint.key == "hint.dry") return true;
+    if (hint.key == "hint.dry" || hint.key == "hint.wet") return true;
     if (hint.key == "hint.beaten") return false;
     return desk.described() != nullptr ? hint.key != "mission.close"
                                        : hint.key != "hint.close" && !good_;
@@ -524,6 +542,7 @@ class Throwing final : public Screen {
   StrokeBoard board_;
   Drawer drawer_ = Drawer::closed;
   WaterButton water_;
+  FireButton fire_;
   LessonLine lesson_;
   view::Camera camera_;
   WheelSpeed speed_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/effects/beating.h"
+#include "engine/effects/moisture.h"
 #include "kiosk/collection/content/glaze.h"
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/content/lesson.h"
@@ -62,6 +63,7 @@ struct SceneForVisitor {
   /// The paddle that beats the wall; none: nobody beats it. It is then the first of `tools`, or the
   /// first after the coil.
   std::optional<BeatingDef> beating;
+  std::optional<MoistureDef> moisture;  ///< Of a built pot; none: the clay is always as it was.
   struct Tool {
     std::uint8_t tool = 0;  ///< HandInput::tool.
     std::string name;       ///< Its shape's name, "coil" or "paddle"; language keys

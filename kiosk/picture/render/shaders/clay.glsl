@@ -19,6 +19,7 @@ uniform float mirrored;  // 1: the reflection in the wheel head
 uniform vec2 unrolled;   // size of the lip in its own picture (edges.h); 0: in space
 uniform float share;     // the drawn share of the outer wall's height, from the foot
 uniform float wetness, opened;
+uniform float embers;    // 0..1: how bright charcoal glows in the pot
 uniform float ink;       // width of the line round the section, m
 #if SKIN == 1
 uniform sampler2D wet_rows;  // by share of the height
@@ -449,6 +450,14 @@ void main() {
   vec3 v = normalize(eye - position);
   vec3 lit = skin.albedo * diffuse_light(n, s);
   lit += specular(n, v, skin.roughness, skin.coat, s.sky * (PART >= 2 ? s.sky : 1.0), s.window);
+#if PART >= 2 && SKIN < 2
+  // Embers hang at the axis, as a light the size of a fist.
+  const vec3 kEmbers = vec3(0.0125, 0.0034, 0.0006);
+  const float kFist = 0.03;
+  vec3 way = vec3(0.0, mix(floor_height, height, 0.4), 0.0) - position;
+  float far = dot(way, way);
+  lit += skin.albedo * kEmbers * (embers * wrapped(dot(n, way) * inversesqrt(far)) / (far + kFist * kFist));
+#endif
 #if SKIN == 3
   // At 1200 degrees a pot glows by itself. Hollows look brightest, because most light from their
   // own walls reaches them.

@@ -369,5 +369,25 @@ TEST_F(AFrame, APotThatFadesIsNoWindowOntoItsOwnShadow) {
   }
 }
 
+TEST_F(AFrame, CharcoalInAPotGlowsOnItsInsideAndNotOnItsOutside) {
+  Renderer& r = renderer();
+  r.show_clay(thrown_clay(kCylinder, cylinder, 0.006, 0.0));
+  view::Frame frame = frame_with_pot(1280, 720, 0.15, 0.05);
+  frame.pot->cut_away = 1.0;
+  const view::Image cold = r.draw_offscreen(frame);
+  frame.pot->embers = 1.0;
+  const view::Image hot = r.draw_offscreen(frame);
+  keep_for_looking(hot, "charcoal");
+  const auto at = [&](const view::Image& image, Vec3 place) {
+    const auto pixel = *frame.pot->camera.project(place);
+    return pixel_at(image, static_cast<int>(pixel.first), static_cast<int>(pixel.second));
+  };
+  const Vec3 inside{-0.01, 0.066, -0.0428}, outside{-0.046, 0.066, 0.0195};
+  EXPECT_GT(at(hot, inside).r, at(cold, inside).r + 15);
+  EXPECT_GT(at(hot, inside).r - at(cold, inside).r, at(hot, inside).b - at(cold, inside).b + 10)
+      << "it is red";
+  EXPECT_EQ(difference(at(hot, outside), at(cold, outside)), 0);
+}
+
 }  // namespace
 }  // namespace onggi::render::testing::frame_test

@@ -241,7 +241,7 @@ struct Builder : Visitor {
   static constexpr double kTall = 12.0;  ///< The clay here has a thick wall.
   Builder() {
     build_lesson = content::read_lesson("content/lessons/building.toml", {"en", "ko"}).steps;
-    EXPECT_EQ(build_lesson.size(), 4u);
+    EXPECT_EQ(build_lesson.size(), 5u);
     for (ShelfCard& card : shelf) {
       card.wheel.coil = 0.013;
       card.wheel.beating.emplace();
@@ -272,9 +272,13 @@ TEST(LessonLine, WhoBuildsIsLedFromTheFirstRingToTheLastBlow) {
   v.set_all(0.3);  // enough clay for this one, which is wider
   for (ShelfCard& card : v.shelf)
     for (ProfilePoint& p : card.target.points) p.outer += 0.02;
+  v.status.feedback.wetness = 0.6;
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "embers"));
+  v.status.feedback.wetness = 0.1;
   v.frames(0.5);
   EXPECT_TRUE(says(v, "Dull blows"));
-  v.status.feedback.wetness = 0.6;
+  v.status.feedback.wetness = 0.6;  // somebody wetted it
   v.status.feedback.hand[0].blow = 200.0;
   v.frames(0.5);
   EXPECT_TRUE(says(v, "Dull blows")) << "this one was dull";

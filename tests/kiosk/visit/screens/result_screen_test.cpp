@@ -71,6 +71,19 @@ TEST(Result, AnArrowPointsToTheVesselsLineForEachDifferenceThatTheWordsSpeakOf) 
   EXPECT_EQ(arrows(v), seen(2)) << "two sentences";
 }
 
+// It was told to be narrower at the rim.
+TEST(Result, APotOfTooFewRingsIsToldToHaveMore) {
+  Visitor v;
+  for (ShelfCard& card : v.shelf) {
+    card.wheel.coil = 0.013;
+    for (ProfilePoint& p : card.target.points) p.height *= 3.0;
+  }
+  v.make_result();
+  v.frames(1);
+  EXPECT_NE(words_in(v.frame).find("lay more rings"), std::string::npos) << words_in(v.frame);
+  EXPECT_EQ(arrows(v), 0u) << "no part of it is too wide";
+}
+
 TEST(Result, APotThatIsNotKeptIsNotLeftWithoutAQuestion) {
   for (const std::string way : {"result.other", "result.again", "result.onward"}) {
     Visitor v(3);
