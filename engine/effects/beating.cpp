@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/effects/effect_list.h"
+#include "engine/effects/prints.h"
 #include "engine/effects/row_kernels.h"
 #include "engine/math/portable.h"
 
@@ -269,6 +270,27 @@ double strength_at(const StageWork& work, const Patch& patch) {
   return strength(*work.def.moisture, work.tick.moisture->at(work.clay, patch.y));
 }
 
+// The paddle's face leaves its print on its side, an anvil's on the other. A hand leaves none, and
+// without anything behind the wall the paddle hardly goes in.
+void leave_prints(const StageWork& work, const Blow& blow, const Patch& patch, const Work& done) {
+  if (!done.squeezes) return;
+  Print print;
+  print.low = patch.y - patch.up;
+  print.high = patch.y + patch.up;
+  print.angle = portable::atan2(patch.z, patch.x);
+  print.half = 2.0 * portable::asin(std::min(1.0, 0.5 * patch.across / patch.radius));
+  print.wide = patch.across;
+  print.tall = patch.up;
+  for (const bool outside : {true, false}) {
+    const bool paddle = outside == done.from_outside;
+    if (!paddle && !blow.anvil) continue;
+    print.kind = paddle ? Print::paddle : Print::anvil;
+    print.side = outside ? WallSide::outside : WallSide::inside;
+    print.deep = outside ? done.outer.deep : done.inner.deep;
+    work.prints->strike(work, print);
+  }
+}
+
 Struck strike(const StageWork& work, const Blow& blow, std::span<Looked> room,
               std::span<float> under) {
   const BeatingDef& def = *work.def.beating;
@@ -328,6 +350,7 @@ Struck strike(const StageWork& work, const Blow& blow, std::span<Looked> room,
   const double wider = faces > 0.0 ? 0.5 * thinner / faces * radius : 0.0;
   for (int j = patch.first; j < patch.end; ++j)
     if (gives(clay, j)) widen_row(clay, j, wider * double{under[static_cast<std::size_t>(j)]});
+  if (work.prints != nullptr) leave_prints(work, blow, patch, done);
   const double way = done.from_outside ? 1.0 : -1.0;
   return {force, Vec3{way * patch.x, 0.0, way * patch.z}};
 }

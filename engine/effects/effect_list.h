@@ -7,6 +7,7 @@
 #include "engine/effects/friction.h"
 #include "engine/effects/kiln.h"
 #include "engine/effects/moisture.h"
+#include "engine/effects/prints.h"
 #include "engine/effects/propagation.h"
 #include "engine/effects/slump.h"
 #include "engine/effects/smoothing.h"
@@ -32,6 +33,7 @@ struct Effects {
   std::optional<VolumeDef> volume;
   std::optional<BuildingDef> building;  ///< Needs volume.
   std::optional<BeatingDef> beating;    ///< Needs volume.
+  std::optional<PrintsDef> prints;      ///< Needs beating.
   std::optional<FrictionDef> friction = FrictionDef{};
   std::optional<KilnDef> kiln;  ///< At the visit's end; not a stage of the tick.
 };
@@ -50,15 +52,16 @@ void each_effect(AnyEffects& def, Visit&& visit) {
   visit(def.volume);
   visit(def.building);
   visit(def.beating);
+  visit(def.prints);
   visit(def.friction);
   visit(def.kiln);
 }
 
 namespace effects {
 
-/// The effects that work on rows, in the pipeline's order: 6.1 to 6.9.
-using RowStages =
-    Stages<Propagation, Springback, Smoothing, Wobble, Slump, Tearing, Volume, Building, Beating>;
+/// The effects that work on rows, in the pipeline's order: 6.1 to 6.10.
+using RowStages = Stages<Propagation, Springback, Smoothing, Wobble, Slump, Tearing, Volume,
+                         Building, Beating, Prints>;
 
 }  // namespace effects
 }  // namespace onggi

@@ -26,7 +26,7 @@ class Refinement {
     enum class Kind : std::uint8_t { none, divide, join } kind = Kind::none;
     int row = 0;  ///< The row, or the lower of the two.
   };
-  /// Stage 6.11, up to kMostChanges times a tick: the next change to make. Rows take turns from the
+  /// Stage 6.12, up to kMostChanges times a tick: the next change to make. Rows take turns from the
   /// foot up. `clay` is as Volume::keep(), divide_row() or join_rows() left it. O(rows / 64), and
   /// O(sectors) if few spare rows are left.
   Change next(const Clay& clay, Volume& volume) noexcept;

@@ -20,6 +20,7 @@ namespace onggi::effects {
 
 class Building;
 class Moisture;
+class Prints;
 class Volume;
 
 inline constexpr std::size_t kMostHands = 2;
@@ -43,6 +44,7 @@ struct Blow {
   // Shares of BeatingDef::energy, 0..1: spent on clay between paddle and anvil (or hand), and on
   double squeezes = 0.0;
   double moves = 0.0;  // moving the wall away from `side`; less than 0: towards it.
+  bool anvil = false;  ///< What holds against it is an anvil, not a hand.
 };
 
 /// A tick's input to the stages.
@@ -67,6 +69,7 @@ struct StageWork {
   WallSide side = WallSide::outside;  ///< The face whose turn it is,
   double side_seconds = 0.0;          ///< and the time since its last turn.
   bool laid = false;                  ///< A lump was laid since the last tick.
+  Prints* prints = nullptr;           ///< Null if absent.
 
   /// Share by which the wall moves as a whole where face `face` moves without a press of its own:
   /// as under the hand on that face, or, without a hand there, as a wall that nobody holds.

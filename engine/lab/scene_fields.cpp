@@ -193,15 +193,18 @@ std::vector<std::string> effect_names() {
 void add_effect(SceneDef& def, std::size_t n) {
   if (def.paper) return;
   at_place(def, n, [](auto& effect) { effect.emplace(); });
+  if (def.prints && !def.beating) def.beating.emplace();
   if ((def.slump || def.building || def.beating) && !def.volume) def.volume.emplace();
 }
 
 void remove_effect(SceneDef& def, std::size_t n) {
   at_place(def, n, [](auto& effect) { effect.reset(); });
-  if (def.volume) return;
-  def.slump.reset();
-  def.building.reset();
-  def.beating.reset();
+  if (!def.volume) {
+    def.slump.reset();
+    def.building.reset();
+    def.beating.reset();
+  }
+  if (!def.beating) def.prints.reset();
 }
 
 bool has_effect(const SceneDef& def, std::size_t n) {

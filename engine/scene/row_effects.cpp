@@ -71,6 +71,17 @@ effects::Building* RowEffects::building() {
   return building ? &*building : nullptr;
 }
 
+effects::Prints* RowEffects::prints() {
+  auto& prints = std::get<std::optional<effects::Prints>>(stages_);
+  return prints ? &*prints : nullptr;
+}
+
+std::vector<Print> RowEffects::prints(const Clay& clay) const {
+  const auto& prints = stage<effects::Prints>();
+  const auto& volume = stage<effects::Volume>();
+  return prints && volume ? prints->seen(clay, *volume) : std::vector<Print>();
+}
+
 int RowEffects::spare_rows(const SceneDef& def) {
   if (!effects::kBuilt || !def.volume) return 0;
   const int coils = def.building ? effects::Building::spare_rows(*def.building, def.clay) : 0;
@@ -109,11 +120,11 @@ void RowEffects::run(const Effects& def, Clay& clay, const Tick& tick) noexcept 
         tick.hand[n].normal > 0.0 ? 0.0 : std::min(since_touch_[n] + tick.seconds, 1.0);
   const bool asks_moves = clay.displacements(false) != nullptr;
   if (asks_moves) take_turn(clay, tick.seconds);
-  // 6.1 to 6.9
-  const effects::StageWork work{def,        clay,       tick,          volume(),
-                                building(), turn_.side, turn_.seconds, settled_};
+  // 6.1 to 6.10
+  const effects::StageWork work{def,        clay,          tick,     volume(), building(),
+                                turn_.side, turn_.seconds, settled_, prints()};
   each([&](auto& stage) { stage.run(work); });
-  // 6.10, 6.11
+  // 6.11, 6.12
   if (building() != nullptr) add_coil(def, clay, tick);
   if (work.volume != nullptr) refine(clay, tick);
   if (asks_moves)

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "engine/effects/effect_list.h"
 #include "engine/effects/refinement.h"
@@ -40,6 +41,8 @@ class RowEffects {
     const auto& beating = stage<effects::Beating>();
     return beating ? beating->struck(n) : effects::Struck{};
   }
+  /// What blows and hands left on the wall: Prints::seen(). Allocates.
+  std::vector<Print> prints(const Clay& clay) const;
   /// Stage 6: the present stages, in order. No allocation.
   void run(const Effects& def, Clay& clay, const Tick& tick) noexcept;
   /// Takes over a clay that was laid anew, `element_budget` elements a call. True when done.
@@ -85,6 +88,7 @@ class RowEffects {
     return stage<effects::Springback>();
   }
   effects::Volume* volume();
+  effects::Prints* prints();
   template <class Visit>
   void each(Visit&& visit);
   void take_turn(Clay& clay, double seconds) noexcept;

@@ -54,6 +54,9 @@ CoilView Scene::coil() const {
   if (laid.any()) view.centre = laid.centres();
   return view;
 }
+std::vector<Print> Scene::prints() const {
+  return state_->row_effects ? state_->row_effects->prints(state_->clay) : std::vector<Print>();
+}
 bool Scene::laying() const { return !state_->lump.playing(); }
 bool Scene::can_restore() const { return state_->history && state_->history->can_step_back(); }
 int Scene::take_dirty_row(int from) noexcept { return state_->clay.take_dirty(from); }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/clay/clay.h"
@@ -48,6 +49,9 @@ class Scene {
   double wetness_of(int row) const;
   /// The coil on the rim (BuildingDef).
   CoilView coil() const;
+  /// Where blows fell and hands smoothed (PrintsDef), the first one first; empty where the scene
+  /// keeps none. Allocates; not for the tick.
+  std::vector<Print> prints() const;
   /// A fresh lump is being laid, or a step undone: rows are partly old, partly new.
   bool laying() const;
   /// Hands::restore has a stroke, or a fresh lump, to undo.

@@ -68,7 +68,8 @@ Result<void> check_needs(const SceneDef& def) {
   const bool volume = def.volume.has_value();
   if (def.slump && !volume) return needs(SlumpDef::kName, volume, VolumeDef::kName);
   if (def.building && !volume) return needs(BuildingDef::kName, volume, VolumeDef::kName);
-  if (def.beating) return needs(BeatingDef::kName, volume, VolumeDef::kName);
+  if (def.beating && !volume) return needs(BeatingDef::kName, volume, VolumeDef::kName);
+  if (def.prints) return needs(PrintsDef::kName, def.beating.has_value(), BeatingDef::kName);
   return {};
 }
 

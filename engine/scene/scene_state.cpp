@@ -219,6 +219,7 @@ effects::Blow Scene::State::blow_of(const Tick& tick, std::size_t n) const noexc
   const double against = std::max(h.anvil, h.swing * held);
   blow.squeezes = std::min(h.swing, against);
   blow.moves = h.swing - against;
+  blow.anvil = h.anvil > h.swing * held;
   return blow;
 }
 

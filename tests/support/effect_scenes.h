@@ -37,6 +37,7 @@ inline std::vector<EffectTrial> effect_trials() {
     trials.push_back({Def::kName,
                       [at, n](SceneDef& def) {
                         at(def, n, [](auto& effect) { effect.emplace(); });
+                        if (def.prints && !def.beating) def.beating.emplace();
                         if ((def.slump || def.building || def.beating) && !def.volume)
                           def.volume.emplace();
                       },

@@ -93,6 +93,7 @@ std::string tools_trace(Vectors kind) {
   def.kiln.reset();      // comes when the wheel stands
   def.building.reset();  // at the end
   def.beating.reset();
+  def.prints.reset();
   def.moisture->sponge_height = 0.06;
   auto scene = Scene::create(def, kind);
   if (!scene) return "";

@@ -19,6 +19,7 @@ namespace {
 using Table = toml::TomlReader::Table;
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
+const std::string kPaddle = "paddle";
 
 /// Reads fields without checking ranges, because only the engine's validate() knows them.
 class SceneReader {
@@ -38,6 +39,7 @@ class SceneReader {
     each_effect(def_, [&]<class Def>(std::optional<Def>& effect) {
       read_effect(Def::kName, effect, [&](Def& written) {
         if constexpr (std::is_same_v<Def, KilnDef>) read_body(written);
+        if constexpr (std::is_same_v<Def, PrintsDef>) read_paddle(written);
         read_fields(written);
       });
     });
@@ -129,6 +131,8 @@ class SceneReader {
     each_field<Def>([&](const auto& field) {
       if constexpr (std::is_same_v<decltype(def.*(field.value)), double&>)
         if (field.formerly != nullptr) read_renamed(field.key, field.formerly, def.*(field.value));
+      if constexpr (std::is_same_v<Def, PrintsDef>)
+        if (field.key == kPaddle) return;  // a word
       value(field.key, def.*(field.value));
     });
   }
@@ -155,6 +159,19 @@ class SceneReader {
     const std::string nearest = nearest_name(name, all);
     table_.complain(
         "body", "\"" + name + "\" is not a known clay body.",
+        nearest.empty() ? "Write one of " + joined(all) + "." : "Did you mean " + nearest + "?");
+  }
+  void read_paddle(PrintsDef& prints) {
+    std::string name;
+    if (!table_.text(kPaddle, name)) return;
+    if (const auto face = find_paddle_face(name)) {
+      prints.paddle = *face;
+      return;
+    }
+    const std::vector<std::string> all(paddle_faces().begin(), paddle_faces().end());
+    const std::string nearest = nearest_name(name, all);
+    table_.complain(
+        kPaddle, "\"" + name + "\" is no face of a paddle.",
         nearest.empty() ? "Write one of " + joined(all) + "." : "Did you mean " + nearest + "?");
   }
   /// Reads the tools by name; all if the scene names none. The engine sets their order.

@@ -69,6 +69,10 @@ std::vector<PricedScene> priced_scenes(int rows, int sectors) {
     each_effect(one.def, []<class One>(std::optional<One>& other) {
       if constexpr (std::is_same_v<One, Def>) other.emplace();
     });
+    if (one.def.prints) {
+      one.def.beating.emplace();
+      one.name += " (and beating)";
+    }
     if ((one.def.slump || one.def.building || one.def.beating) && !one.def.volume) {
       one.def.volume.emplace();
       one.name += " (and volume)";

@@ -53,6 +53,11 @@ TEST(EffectField, EveryNumberHasItsUsualValueAndItsEnds) {
                                                        {"weakening", 0.03, 0.005, 1.0},
                                                        {"air", 0.0, 0.0, 1.0},
                                                        {"sponge_height", 0.0, 0.0, 1.0}}));
+  expect<PrintsDef>("prints", std::to_array<Told>({{"pitch", 0.003, 5e-4, 0.01},
+                                                   {"rings", 0.004, 0.0, 0.02},
+                                                   {"depth", 4e-4, 5e-5, 0.002}}));
+  ASSERT_EQ(PrintsDef::counts().size(), 1u);
+  EXPECT_EQ(PrintsDef{}.paddle, PrintsDef::plain);
   expect<PropagationDef>("propagation", std::to_array<Told>({{"reach", 0.004, 0.0005, 0.05}}));
   expect<SlumpDef>("slump", std::to_array<Told>({{"yield_stress", 6000.0, 100.0, 1e6},
                                                  {"viscosity", 1e4, 10.0, 1e8},

@@ -133,6 +133,28 @@ TEST(scene, a_clay_that_nobody_sells_is_told_with_the_nearest_and_stoneware_stan
               HasSubstr("earthenware, stoneware, porcelain"));
 }
 
+TEST(scene, a_paddles_face_goes_by_name_and_another_word_is_told_with_the_nearest) {
+  const std::string before = "[volume]\n[beating]\n[prints]\n";
+  const SceneRead plain = read(before);
+  EXPECT_THAT(plain.problems, IsEmpty()) << all(plain.problems);
+  EXPECT_EQ(plain.def.prints->paddle, PrintsDef::plain);
+  const SceneRead cord = read(before + "paddle = \"cord\"\npitch = 0.002\n");
+  EXPECT_THAT(cord.problems, IsEmpty()) << all(cord.problems);
+  EXPECT_EQ(cord.def.prints->paddle, PrintsDef::cord);
+  EXPECT_EQ(cord.def.prints->pitch, 0.002);
+  const SceneRead wrong = read(before + "paddle = \"gird\"\n");
+  ASSERT_THAT(wrong.problems, SizeIs(1)) << all(wrong.problems);
+  EXPECT_THAT(wrong.problems[0].where, EndsWith(":4:10"));
+  EXPECT_THAT(wrong.problems[0].remedy, HasSubstr("Did you mean grid"));
+  EXPECT_EQ(wrong.def.prints->paddle, PrintsDef::plain);
+  EXPECT_THAT(read(before + "paddle = 2\n").problems, SizeIs(1)) << "a word, no number";
+  EXPECT_FALSE(read("[volume]\n[beating]\n").def.prints);
+  const SceneRead alone = read("[volume]\n[prints]\n");
+  ASSERT_THAT(alone.problems, SizeIs(1)) << all(alone.problems);
+  EXPECT_THAT(alone.problems[0].what, HasSubstr("prints needs beating"));
+  EXPECT_FALSE(alone.def.prints);
+}
+
 TEST(scene, the_papers_scene_is_its_grid_its_model_and_nothing_else) {
   const SceneDef d = read_scene("config/scenes/paper.toml").def;
   ASSERT_TRUE(d.paper);

@@ -1,0 +1,228 @@
+#include "engine/effects/prints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/effects/effect_list.h"
+#include "engine/math/portable.h"
+
+namespace onggi {
+
+std::span<const DefField<PrintsDef, int>> PrintsDef::counts() {
+  static constexpr DefField<PrintsDef, int> kCounts[] = {
+      {"paddle", &PrintsDef::paddle, plain, grid, ""},
+  };
+  return kCounts;
+}
+
+std::span<const DefField<PrintsDef>> PrintsDef::fields() {
+  static constexpr DefField<PrintsDef> kFields[] = {
+      {"pitch", &PrintsDef::pitch, 5e-4, 0.01, "m"},
+      {"rings", &PrintsDef::rings, 0.0, 0.02, "m"},
+      {"depth", &PrintsDef::depth, 5e-5, 0.002, "m"},
+  };
+  return kFields;
+}
+
+std::span<const std::string_view> paddle_faces() {
+  static constexpr std::string_view kFaces[] = {"plain", "cord", "grid"};
+  return kFaces;
+}
+
+std::optional<int> find_paddle_face(std::string_view name) {
+  const auto found = std::ranges::find(paddle_faces(), name);
+  if (found == paddle_faces().end()) return std::nullopt;
+  return static_cast<int>(found - paddle_faces().begin());
+}
+
+namespace effects {
+namespace {
+
+constexpr double kFingertip = 0.004;  // m: so far to each side a hand smooths the wall
+constexpr double kFarAway = 0.1;      // rad: the hand comes back elsewhere
+constexpr float kWhole = static_cast<float>(portable::kPi);
+
+// The clay below two heights, m^3; low <= high.
+struct Below {
+  double low, high;
+};
+Below clay_below(const Clay& clay, const Volume& volume, double low, double high) {
+  Below below{};
+  double sum = 0.0;
+  const auto share = [&](int j, double height) {
+    return std::clamp((height - clay.row_height(j)) / clay.row_thickness(j) + 0.5, 0.0, 1.0);
+  };
+  int j = 0;
+  const auto go_up = [&](double height) {
+    const int row = std::min(clay.first_row_above(height), clay.rows() - 1);
+    // The height lies in that row or in the one below it.
+    for (; j < row - 1; ++j) sum += volume.of_row(j);
+    double here = sum;
+    for (int k = j; k <= row; ++k) here += share(k, height) * volume.of_row(k);
+    return here;
+  };
+  below.low = go_up(low);
+  below.high = go_up(high);
+  return below;
+}
+
+// Heights for rising amounts of clay below them.
+class Heights {
+ public:
+  Heights(const Clay& clay, const Volume& volume) : clay_(clay) {
+    double sum = 0.0;
+    for (int j = 0; j < clay.rows(); ++j) below_.push_back(sum += volume.of_row(j));
+  }
+  double of(double below) const {
+    const auto row = std::ranges::lower_bound(below_, below);
+    if (row == below_.end()) return clay_.rim_height();
+    const auto j = static_cast<int>(row - below_.begin());
+    const double from = j > 0 ? below_[static_cast<std::size_t>(j - 1)] : 0.0;
+    const double share = *row > from ? (below - from) / (*row - from) : 0.0;
+    return clay_.row_height(j) + (share - 0.5) * clay_.row_thickness(j);
+  }
+
+ private:
+  const Clay& clay_;
+  std::vector<double> below_;
+};
+
+std::uint64_t step_of(const StageWork& work) {
+  return work.tick.history != nullptr ? work.tick.history->depth() : 0;
+}
+
+// -pi .. pi.
+float nearest_turn(float angle) {
+  while (angle > kWhole) angle -= 2.0f * kWhole;
+  while (angle < -kWhole) angle += 2.0f * kWhole;
+  return angle;
+}
+
+}  // namespace
+
+bool Prints::wanted(const Effects& def) { return def.prints.has_value(); }
+
+void Prints::note(const Mark& mark) noexcept {
+  if (count_ == kMost) {
+    first_ = (first_ + 1) % kMost;
+    --count_;
+    live_ = std::min(live_, count_);
+  }
+  at(count_++) = mark;
+  ++live_;
+  for (std::size_t& back : back_)
+    if (back > 0 && ++back > count_) back = 0;
+}
+
+void Prints::count_live() noexcept {
+  for (live_ = 0; live_ < count_ && at(count_ - 1 - live_).kind != kFreshLump;) ++live_;
+  back_.fill(0);
+}
+
+void Prints::strike(const StageWork& work, const Print& print) noexcept {
+  // What of the face lies on the wall.
+  const double low = std::max(print.low, 0.0), high = std::min(print.high, work.clay.rim_height());
+  if (!(print.deep > 0.0) || !(high > low) || work.volume == nullptr) return;
+  const double face = print.high - print.low;
+  Mark mark;
+  mark.step = step_of(work);
+  const Below below = clay_below(work.clay, *work.volume, low, high);
+  mark.low = below.low, mark.high = below.high;
+  mark.from = static_cast<float>(-1.0 + 2.0 * (low - print.low) / face);
+  mark.to = static_cast<float>(1.0 - 2.0 * (print.high - high) / face);
+  mark.angle = static_cast<float>(print.angle);
+  mark.half = static_cast<float>(print.half);
+  mark.wide = static_cast<float>(print.wide);
+  mark.tall = static_cast<float>(print.tall);
+  mark.deep = static_cast<float>(print.deep);
+  mark.kind = print.kind;
+  mark.side = print.side;
+  note(mark);
+  back_.fill(0);  // what is smoothed from now on lies over it
+}
+
+// A hand that goes on along the wall widens what it smoothed, while that stays a low field. So a
+// ring under a turning pot is one mark, and a stroke upwards is a stack of them.
+bool Prints::goes_on(Mark& last, const Mark& more) const noexcept {
+  const double low = std::min(last.low, more.low), high = std::max(last.high, more.high);
+  if (last.side != more.side || last.step != more.step || high - low > 2.0 * (more.high - more.low))
+    return false;
+  const float off = nearest_turn(more.angle - last.angle);
+  const float beyond = std::fabs(off) + more.half - last.half;
+  if (last.half < kWhole && beyond > 0.0f) {
+    if (beyond > static_cast<float>(kFarAway)) return false;
+    last.half = std::min(last.half + 0.5f * beyond, kWhole);
+    last.angle = nearest_turn(last.angle + (off < 0.0f ? -0.5f : 0.5f) * beyond);
+  }
+  last.low = low;
+  last.high = high;
+  return true;
+}
+
+void Prints::run(const StageWork& work) noexcept {
+  for (std::size_t n = 0; n < back_.size(); ++n) {
+    const HandThere& hand = work.tick.hand[n];
+    const double out = length(Vec2{hand.at.x, hand.at.z});
+    if (live_ == 0 || !(hand.normal > 0.0) || !hand.on_wall || !(out > kFingertip) ||
+        work.volume == nullptr)
+      continue;
+    const double up = std::max(hand.smooths, kFingertip);
+    Mark mark;
+    mark.step = step_of(work);
+    const Below below = clay_below(work.clay, *work.volume, hand.at.y - up, hand.at.y + up);
+    mark.low = below.low, mark.high = below.high;
+    mark.angle = static_cast<float>(portable::atan2(hand.at.z, hand.at.x));
+    mark.half = static_cast<float>(kFingertip / out);
+    mark.kind = Print::smoothed;
+    mark.side = hand.side;
+    if (back_[n] > 0 && goes_on(at(count_ - back_[n]), mark)) continue;
+    note(mark);
+    back_[n] = 1;
+  }
+}
+
+std::vector<Print> Prints::seen(const Clay& clay, const Volume& volume) const {
+  std::vector<Print> all;
+  all.reserve(live_);
+  const Heights heights(clay, volume);
+  for (std::size_t n = count_ - live_; n < count_; ++n) {
+    const Mark& mark = at(n);
+    Print print;
+    print.kind = static_cast<Print::Kind>(mark.kind);
+    print.side = mark.side;
+    print.low = heights.of(mark.low), print.high = heights.of(mark.high);
+    print.from = double{mark.from}, print.to = double{mark.to};
+    print.angle = double{mark.angle}, print.half = double{mark.half};
+    print.wide = double{mark.wide}, print.tall = double{mark.tall};
+    print.deep = double{mark.deep};
+    all.push_back(print);
+  }
+  return all;
+}
+
+void Prints::forget(Clay&, const Laid& laid) noexcept {
+  if (laid.fresh) {
+    Mark mark;
+    mark.step = laid.step;
+    mark.kind = kFreshLump;
+    note(mark);
+  } else {
+    while (count_ > 0 && at(count_ - 1).step >= laid.step) --count_;
+  }
+  count_live();
+}
+
+void Prints::add_to(StateHash& hash, const Clay&) const {
+  hash.add(static_cast<std::uint64_t>(live_));
+  for (std::size_t n = count_ - live_; n < count_; ++n) {
+    const Mark& mark = at(n);
+    hash.add(std::uint64_t{mark.kind} << 1 | (mark.side == WallSide::inside ? 1 : 0));
+    for (const double v :
+         {mark.low, mark.high, double{mark.from}, double{mark.to}, double{mark.angle},
+          double{mark.half}, double{mark.wide}, double{mark.tall}, double{mark.deep}})
+      hash.add(v);
+  }
+}
+
+}  // namespace effects
+}  // namespace onggi
