@@ -79,6 +79,9 @@ void add_exhibit(Json& all) {
 template <class Def>
 void add_fields(Json& all, const std::string& file) {
   each_field<Def>([&](const auto& field) {
+    if constexpr (std::is_same_v<Def, PrintsDef>)
+      if (field.key == std::string("paddle"))
+        return add(all, file, Def::kName, field.key, R"("plain")", R"("grid")");
     if constexpr (requires(Def def) {
                     requires std::is_same_v<decltype(def.*(field.value)), bool&>;
                   })

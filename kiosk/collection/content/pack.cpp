@@ -1,5 +1,7 @@
 #include "kiosk/collection/content/pack.h"
 
+#include "engine/base/nearest_name.h"
+#include "engine/effects/prints.h"
 #include "kiosk/collection/content/address.h"
 #include "kiosk/collection/content/pack_advice.h"
 #include "kiosk/collection/settings/visitor_text.h"
@@ -45,6 +47,19 @@ void read_mesh_terms(toml::TomlReader::Table& root, Pack& pack) {
   if (!pack.up)
     root.complain("up", "up is \"" + up + "\", which is not an axis.",
                   "Write the axis of the mesh that points to the rim: \"y\", \"z\", \"-z\" ...");
+}
+
+/// A word that is no face of a paddle is left out; the vessel stays on the shelf.
+void take_paddle(toml::TomlReader::Table& root, const std::string& name, Pack& pack) {
+  if (name.empty()) return;
+  const auto face = find_paddle_face(name);
+  if (face) {
+    pack.paddle = *face;
+    return;
+  }
+  const std::vector<std::string> all(paddle_faces().begin(), paddle_faces().end());
+  root.complain("paddle", "paddle is \"" + name + "\", which is no face of a paddle.",
+                "Write one of " + joined(all) + ", or remove the key.");
 }
 
 void read_labels(toml::TomlReader::Table& root, PackRead& read) {
@@ -128,6 +143,8 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   root.text("decoration", pack.decoration);
   root.text("way", pack.way);
   root.boolean("built", pack.built);
+  std::string paddle;
+  root.text("paddle", paddle);
   root.texts("glazes", pack.glazes);
   double mm = 0.0;
   if (root.number("true_height_mm", mm, 5.0, 5000.0, "mm")) pack.true_height = 0.001 * mm;
@@ -156,6 +173,7 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
                     std::string("Put the ") + key + " beside vessel.toml and write only its name.");
   read.problems = reader.problems();
   keep_good_addresses(root, pack);
+  take_paddle(root, paddle, pack);
   ask_for_the_rest(root, pack, languages);
   fit_to_screens(root, pack);
   read.advice = reader.problems_since(read.problems);

@@ -286,6 +286,7 @@ Result<Order> order_of_pack(const fs::path& folder, const LoadOptions& options) 
   vessel.credit = pack.credit_line();
   vessel.way = pack.way;
   vessel.built = pack.built;
+  vessel.paddle = pack.paddle;
   vessel.glazes = pack.glazes;
   vessel.licence = pack.licence;
   vessel.source = pack.source;

@@ -38,6 +38,7 @@ void PotOnWheel::start(const screens::StartPot& wish, const screens::ShelfCard& 
   Order order;
   const SceneDef* built = wish.built ? scenes_.built(*card.vessel) : nullptr;
   order.def = built != nullptr ? *built : scenes_.of(card.vessel->id);
+  take_paddle(order.def, *card.vessel);
   order.def.clay = lump_for(card.target, order.def);
   order.target = card.target;
   if (wish.scripted) order.script = wish.script;

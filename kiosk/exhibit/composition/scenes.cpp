@@ -188,6 +188,9 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
     wheel.beating = def.beating;
     wheel.tools.insert(wheel.tools.begin() + (wheel.coil ? 1 : 0),
                        {0, std::string(scene::kPaddle), def.beating->face, def.beating->face});
+    SceneDef taken = def;
+    take_paddle(taken, vessel);
+    wheel.prints = taken.prints;
   }
   for (const std::string& script : attract_scripts_)
     if (const ScriptInfo* info = find_script(script);
@@ -202,6 +205,12 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
         screens::Kiln{size_after(*def.kiln, {1.0, 0.0}), size_after(*def.kiln, {1.0, 1.0}),
                       def.kiln->glaze_thickness / kUsualCoat, &glazes_, in_order(vessel.glazes)};
   return wheel;
+}
+
+void take_paddle(SceneDef& def, const content::Vessel& vessel) {
+  if (!def.beating || vessel.paddle == PrintsDef::plain) return;
+  if (!def.prints) def.prints.emplace();
+  def.prints->paddle = vessel.paddle;
 }
 
 settings::Problems unknown_names(const settings::Exhibit& exhibit,

@@ -7,6 +7,7 @@
 
 #include "kiosk/collection/decoration/decorate.h"
 #include "kiosk/collection/decoration/figure.h"
+#include "kiosk/visit/decorating/beaten_wall.h"
 #include "kiosk/visit/decorating/calm_line.h"
 #include "kiosk/visit/decorating/covering.h"
 #include "kiosk/visit/decorating/figure_on_pot.h"
@@ -56,6 +57,19 @@ Result<std::unique_ptr<DecoratedPot>> DecoratedPot::begin(const Profile& thrown,
   auto surface = surface::Surface::create(thrown, "the pot");
   if (!surface) return tl::unexpected<Problem>(surface.error());
   return std::unique_ptr<DecoratedPot>(new DecoratedPot(std::move(*surface), way));
+}
+
+Result<std::unique_ptr<DecoratedPot>> DecoratedPot::begin(const Profile& thrown,
+                                                          const decoration::Way& way,
+                                                          std::span<const Print> prints,
+                                                          const PrintsDef& faces) {
+  auto pot = begin(thrown, way);
+  if (!pot) return pot;
+  (*pot)->printed_ = print((*pot)->surface_, prints, faces);
+  if (!(*pot)->printed_) return pot;
+  (*pot)->picture_.touch_all();
+  (*pot)->drawn_ = !(*pot)->picture_.draw((*pot)->surface_, kMost);
+  return pot;
 }
 
 DecoratedPot::DecoratedPot(surface::Surface surface, const decoration::Way& way)

@@ -4,9 +4,11 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/effects/prints.h"
 #include "engine/surface/laws.h"
 #include "kiosk/collection/decoration/coat_picture.h"
 #include "kiosk/collection/decoration/way.h"
@@ -27,6 +29,11 @@ class DecoratedPot {
   /// Problem: `thrown` is no outline (surface::outline_of). `way` has a tool, and outlives it.
   static Result<std::unique_ptr<DecoratedPot>> begin(const Profile& thrown,
                                                      const decoration::Way& way);
+  /// The same with what paddle and anvil left on it (beaten_wall.h), drawn at once.
+  static Result<std::unique_ptr<DecoratedPot>> begin(const Profile& thrown,
+                                                     const decoration::Way& way,
+                                                     std::span<const Print> prints,
+                                                     const PrintsDef& faces);
 
   const decoration::Way& way() const { return way_; }
   const surface::Surface& surface() const { return surface_; }
@@ -97,6 +104,10 @@ class DecoratedPot {
   bool shows_example() const { return saved_.has_value(); }
 
   bool bare() const { return own_steps().empty(); }
+  /// Paddle or anvil have left something on it.
+  bool printed() const { return printed_; }
+  /// Nothing of what it is covered with can be seen: it is a plain pot.
+  bool plain() const { return bare() && !printed_; }
   /// The visitor laid glaze on it, which melts in the kiln.
   bool glazed() const { return for_the_fire().glazed; }
   bool can_undo() const { return !shows_example() && !busy() && surface_.can_undo(); }
@@ -198,6 +209,7 @@ class DecoratedPot {
   double clock_ = 0.0;                 ///< Of update(), s.
   double laid_ = -1e4, under_ = -1e4;  ///< When slip was laid last, and before this step.
   WetSlip wet_;
+  bool printed_ = false;
   bool open_ = false;  ///< Wider than high: visitors look into it.
   Firing firing_;
   bool drawn_ = false;          ///< All of the picture, by the last update.

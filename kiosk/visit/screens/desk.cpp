@@ -128,6 +128,7 @@ void Desk::judge(const ShelfCard& answered) {
   glaze = -1;
   if (world.wheel->clay.change() != clay_decorated_) decorated.reset();
   if (decorated) decorated->fire(false);
+  if (!world.wheel->prints.empty()) pot_to_decorate();  // they are seen from now on
   postcard = 0;
   if (const auto* wanted = described()) {
     figures = score::figures_of(made, world.wheel->clay.capacity());
@@ -154,7 +155,9 @@ void Desk::fresh_clay() {
 
 decorating::DecoratedPot* Desk::pot_to_decorate() {
   if (!decorated && wheel().way != nullptr) {
-    auto begun = decorating::DecoratedPot::begin(made, *wheel().way);
+    auto begun = wheel().prints ? decorating::DecoratedPot::begin(
+                                      made, *wheel().way, world.wheel->prints, *wheel().prints)
+                                : decorating::DecoratedPot::begin(made, *wheel().way);
     if (begun) decorated = std::move(*begun);
     if (decorated && curated) decorated->keep_work();
     clay_decorated_ = world.wheel->clay.change();
@@ -163,7 +166,7 @@ decorating::DecoratedPot* Desk::pot_to_decorate() {
 }
 
 std::uint64_t Desk::decoration_hash() const {
-  return decorated && !decorated->bare() ? decorated->surface().hash() : 0;
+  return decorated && !decorated->plain() ? decorated->surface().hash() : 0;
 }
 
 void Desk::keep_pot() {
@@ -171,7 +174,7 @@ void Desk::keep_pot() {
   if (kept != Kept::not_asked && kept_glaze_ == glaze && kept_decoration_ == decoration) return;
   MakeKeepsake wish{card, score, made, glaze};
   wish.built = built;
-  if (decorated && !decorated->bare()) {
+  if (decorated && !decorated->plain()) {
     decorated->lift();
     decorated->end_work();
     wish.decorated = decorated;

@@ -47,7 +47,7 @@ double along(double from, double to, double share) { return from + (to - from) *
 class KilnScreen final : public Screen {
  public:
   explicit KilnScreen(Desk& d) : Screen(d), kiln_(*desk.wheel().kiln), shown_(desk.glaze) {
-    if (desk.decorated && !desk.decorated->bare()) hides_ = hiding(*desk.decorated, kiln_);
+    if (desk.decorated && !desk.decorated->plain()) hides_ = hiding(*desk.decorated, kiln_);
     if (desk.glaze >= 0) finish();
   }
   ScreenId id() const override { return ScreenId::kiln; }
@@ -262,7 +262,7 @@ class KilnScreen final : public Screen {
   /// The slips of a decorated pot get their fired colours while nobody sees more than its glow, and
   /// its glaze melts.
   void burn_slips(double dt) {
-    if (!desk.decorated || desk.decorated->bare()) return;
+    if (!desk.decorated || desk.decorated->plain()) return;
     desk.decorated->heat();
     desk.decorated->fire(desk.glaze >= 0 && fired_ >= kHottest,
                          desk.glaze >= 0 && chosen().look.gloss >= kGlassy);

@@ -205,7 +205,7 @@ const decoration::CoatPicture* Visit::decoration() const {
   const bool shown = on == ScreenId::result || on == ScreenId::decorate || on == ScreenId::kiln ||
                      on == ScreenId::keepsake;
   const auto& pot = state_->desk.decorated;
-  return shown && pot && (!pot->bare() || pot->shows_example()) ? &pot->picture() : nullptr;
+  return shown && pot && (!pot->plain() || pot->shows_example()) ? &pot->picture() : nullptr;
 }
 
 double Visit::force_share() const { return state_->desk.force.share(); }

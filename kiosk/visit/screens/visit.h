@@ -8,6 +8,7 @@
 
 #include "engine/effects/beating.h"
 #include "engine/effects/moisture.h"
+#include "engine/effects/prints.h"
 #include "kiosk/collection/content/glaze.h"
 #include "kiosk/collection/content/language.h"
 #include "kiosk/collection/content/lesson.h"
@@ -64,6 +65,7 @@ struct SceneForVisitor {
   /// first after the coil.
   std::optional<BeatingDef> beating;
   std::optional<MoistureDef> moisture;  ///< Of a built pot; none: the clay is always as it was.
+  std::optional<PrintsDef> prints;  ///< What paddle and anvil leave; none: nothing is kept of it.
   struct Tool {
     std::uint8_t tool = 0;  ///< HandInput::tool.
     std::string name;       ///< Its shape's name, "coil" or "paddle"; language keys

@@ -47,8 +47,8 @@ class WheelCommands {
   virtual void decorate(const force::DecoratingTool& tool, const force::LeatherTurn& turn) = 0;
   /// Acknowledges these FaultBits, so that a repeat is reported again.
   virtual void clear_faults(std::uint32_t which) = 0;
-  /// Updates every row of the clay's view to the last tick. False if the loop did not answer within
-  /// a second; then call again.
+  /// Updates every row of the clay's view, and the prints on it, to the last tick. False if the
+  /// loop did not answer within a second; then call again.
   virtual bool refresh_every_row() = 0;
 };
 

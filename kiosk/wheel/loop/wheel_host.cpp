@@ -39,6 +39,7 @@ void WheelHost::start(std::unique_ptr<Scene> scene) {
   dropped_ = 0;
   view_.clay.lay(scene->def().clay, scene->clay().room());
   view_.coil = {};
+  view_.prints.clear();
   if (scene->def().building) view_.coil.diameter = scene->def().building->coil;
   auto pot = std::make_unique<Pot>(std::move(*scene), ++serial_);
   current_ = pot.get();
@@ -108,6 +109,7 @@ bool WheelHost::refresh_every_row() {
     // Queued rows are older than the scene's.
     lent_->rows.take_into(view_.clay);
     take_rest_into(view_.clay, scene);
+    view_.prints = scene.prints();
   });
   if (settled) collect();
   return settled;

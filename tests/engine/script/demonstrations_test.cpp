@@ -29,6 +29,7 @@ SceneDef everything() {
   def.kiln.reset();
   def.wobble.reset();
   def.building.reset();
+  def.prints.reset();  // they move nothing
   def.moisture->sponge_height = 0.06;
   return def;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "engine/effects/prints.h"
 #include "engine/profile/measures.h"
 #include "kiosk/collection/content/catalogue.h"
 #include "kiosk/collection/content/glb.h"
@@ -98,6 +99,26 @@ TEST_F(VesselTest, a_text_that_no_screen_shows_is_said_with_its_line_and_letters
             std::string::npos);
   EXPECT_NE(with("title = \"\\u200b\\u200b\"\n").find("left off"), std::string::npos);
   EXPECT_NE(with("title = \"\\u200b\\u200b\"\n").find("nobody can see"), std::string::npos);
+}
+
+TEST_F(VesselTest, a_paddles_face_goes_by_name_and_another_word_is_only_said) {
+  write_mesh("jar/vessel.glb", shapes::jar());
+  const auto with = [this](const std::string& line) {
+    write("jar/vessel.toml", line + kWholeToml + "text = \"Foot.\"\n");
+    const auto vessel = load_vessel(folder_ / "jar");
+    return vessel ? vessel->paddle : -1;
+  };
+  EXPECT_EQ(with(""), PrintsDef::plain);
+  EXPECT_EQ(with("paddle = \"plain\"\n"), PrintsDef::plain);
+  EXPECT_EQ(with("paddle = \"cord\"\n"), PrintsDef::cord);
+  EXPECT_EQ(with("paddle = \"grid\"\n"), PrintsDef::grid);
+  EXPECT_TRUE(read_pack(folder_ / "jar/vessel.toml").advice.empty());
+  EXPECT_EQ(with("paddle = \"stone\"\n"), PrintsDef::plain);
+  const PackRead read = read_pack(folder_ / "jar/vessel.toml");
+  EXPECT_TRUE(read.problems.empty());
+  ASSERT_EQ(read.advice.size(), 1u);
+  EXPECT_TRUE(read.advice[0].where.ends_with("vessel.toml:1:10")) << read.advice[0].where;
+  EXPECT_NE(read.advice[0].remedy.find("plain, cord, grid"), std::string::npos);
 }
 
 TEST_F(VesselTest, a_scans_own_words_are_cut_to_what_a_label_shows) {

@@ -122,5 +122,30 @@ TEST_F(PotOnWheelTest, AVesselIsBuiltInItsBuiltSceneAndThrownInTheOther) {
   }
 }
 
+TEST_F(PotOnWheelTest, AVesselsPaddleLeavesItsFaceWhereThereIsAPaddle) {
+  write("built.toml", "[clay]\nrows = 400\nsectors = 48\n[volume]\n[building]\n[beating]\n");
+  exhibit.built_scene = folder.path() / "built.toml";
+  exhibit.build = true;
+  vessels[1].built = true;
+  vessels[1].paddle = PrintsDef::grid;
+  vessels[0].built = true;
+  const Scenes scenes(exhibit);
+  const SceneDef& scene = *scenes.built(vessels[1]);
+  EXPECT_FALSE(scene.prints) << "other vessels are built in it, too";
+  ASSERT_TRUE(scenes.for_visitor(scene, vessels[1]).prints);
+  EXPECT_EQ(scenes.for_visitor(scene, vessels[1]).prints->paddle, PrintsDef::grid);
+  EXPECT_FALSE(scenes.for_visitor(scene, vessels[0]).prints);
+  PotOnWheel pot(scenes, wheel, renderer, 1, true);
+  for (const bool built : {true, false})
+    for (const int card : {0, 1}) {
+      screens::StartPot wish{card, false, ""};
+      wish.built = built;
+      pot.start(wish, cards[static_cast<std::size_t>(card)]);
+      ASSERT_TRUE(pot.made());
+      ASSERT_TRUE(pot.put(cards[static_cast<std::size_t>(card)]));
+      EXPECT_EQ(pot.def().prints.has_value(), built && card == 1) << built << card;
+    }
+}
+
 }  // namespace
 }  // namespace onggi::exhibit::pot_on_wheel_test

@@ -26,6 +26,40 @@ TEST(DecorateScreen, ComesAfterTheResultAndMayBeSkipped) {
     }
 }
 
+TEST(DecorateScreen, APrintedPotThatIsLeftPlainKeepsItsPrints) {
+  Visitor v(2, nullptr, true);
+  v.offer("onggi");
+  for (ShelfCard& card : v.shelf) card.wheel.prints.emplace().paddle = PrintsDef::grid;
+  Print print;
+  print.low = 0.06, print.high = 0.1;
+  print.half = 0.5;
+  print.wide = print.tall = 0.02;
+  print.deep = 0.002;
+  v.view.prints = {print};
+  v.make_result();
+  ASSERT_EQ(v.visit->screen(), ScreenId::result);
+  ASSERT_NE(v.visit->decoration(), nullptr) << "they are seen at once";
+  v.touch("result.keep");
+  EXPECT_NE(words_in(v.frame).find("Leave it plain"), std::string::npos);
+  const std::uint64_t printed = v.visit->decorated_pot()->surface().hash();
+  v.touch("decorate.on");
+  EXPECT_EQ(v.visit->screen(), ScreenId::kiln);
+  ASSERT_NE(v.visit->decoration(), nullptr);
+  v.touch("kiln.glaze.0");
+  v.frames(12);
+  EXPECT_TRUE(v.visit->decoration()->fired());
+  v.touch("kiln.keep");
+  bool kept = false;
+  for (const Request& request : v.requests())
+    if (const auto* wish = std::get_if<MakeKeepsake>(&request)) {
+      kept = true;
+      ASSERT_TRUE(wish->decorated);
+      EXPECT_EQ(wish->decorated->surface().hash(), printed);
+      EXPECT_TRUE(wish->decorated_how.empty()) << "nobody decorated it";
+    }
+  EXPECT_TRUE(kept);
+}
+
 // Else a finger that rests on the pot for three seconds would turn "Read aloud" on.
 TEST(DecorateScreen, AFingerThatRestsOnThePotIsAtWorkWhateverTheToolAndOneBesideItIsNot) {
   Decorator v;

@@ -150,6 +150,28 @@ TEST(WheelView, RowsThatOnlyMovedComeWithoutRadii) {
   EXPECT_LT(shaped, def.clay.rows / 2);
 }
 
+TEST(WheelView, PrintsOfBlowsComeWhenItIsSettledAndGoWithTheNextPot) {
+  SteppedWheel wheel_host;
+  SceneDef def = small_scene();
+  def.clay.inner_radius = 0.03;
+  def.volume.emplace();
+  def.beating.emplace();
+  def.prints.emplace();
+  wheel_host.start(pot(def));
+  wheel_host.hold(InHand::paddle);
+  HandInput hand;
+  hand.active = true;
+  hand.position = {def.clay.outer_radius + def.tool.radius - 0.001, def.clay.height / 2, 0};
+  wheel_host.hand(0, hand);
+  wheel_host.advance(1500);
+  wheel_host.collect();
+  EXPECT_TRUE(wheel_host.view().prints.empty());
+  ASSERT_TRUE(wheel_host.refresh_every_row());
+  EXPECT_FALSE(wheel_host.view().prints.empty());
+  wheel_host.start(pot(def));
+  EXPECT_TRUE(wheel_host.view().prints.empty());
+}
+
 TEST(WheelView, APotThatRestsDoesNotSagAndNoHandIsAtIt) {
   SteppedWheel wheel_host;
   const SceneDef def = small_scene();
