@@ -43,7 +43,7 @@ struct VisitArguments {
   files::Output json{files::Output::Kind::json};
   double seconds = 90, pace = 1.5, clumsy = 0;
   std::uint64_t seed = 1;
-  bool realtime = false, decorate = false;
+  bool realtime = false, decorate = false, no_screens = false;
 };
 
 /// Finds the named vessel: a file makes a shelf of one, an id is looked up on the exhibit's shelf.
@@ -119,9 +119,12 @@ Result<int> find_glaze(const exhibit::Kiosk& kiosk, const screens::ShelfCard& ca
 /// Collects the pictures of the passed screens, and encodes them after the visit.
 class ScreenAlbum {
  public:
-  ScreenAlbum(exhibit::Kiosk& kiosk, fs::path folder) : kiosk_(kiosk), folder_(std::move(folder)) {}
+  ScreenAlbum(exhibit::Kiosk& kiosk, fs::path folder, bool wanted = true)
+      : kiosk_(kiosk), folder_(std::move(folder)), wanted_(wanted) {}
 
-  void take(const std::string& name) { pages_.push_back({name, kiosk_.picture()}); }
+  void take(const std::string& name) {
+    if (wanted_) pages_.push_back({name, kiosk_.picture()});
+  }
 
   Result<std::vector<fs::path>> write() const {
     std::vector<fs::path> written;
@@ -147,6 +150,7 @@ class ScreenAlbum {
   };
   exhibit::Kiosk& kiosk_;
   fs::path folder_;
+  bool wanted_;
   std::vector<Page> pages_;
 };
 
@@ -269,7 +273,7 @@ Result<int> visit(const VisitArguments& arguments) {
   const auto mission = find_mission(kiosk, arguments.mission);
   if (!mission) return tl::unexpected(mission.error());
 
-  ScreenAlbum album(kiosk, fs::path(arguments.out) / "screens");
+  ScreenAlbum album(kiosk, fs::path(arguments.out) / "screens", !arguments.no_screens);
   rehearsal::ScriptedVisitor::Plan plan;
   plan.script = arguments.script;
   plan.card = *card;
@@ -362,6 +366,7 @@ cli::Command visit_command() {
             .least = 0.5,
             .most = 5},
            {"--pointer", &a->pointer, "The pointer of naive hands: mouse or finger [mouse]"},
+           {"--no-screens", &a->no_screens, "Save no pictures of the screens: half of the time"},
            {"--film", &a->film, "A folder for a picture of every five seconds' throwing"},
            {"--json", &a->json,
             "Write the result as JSON here (- for standard output), as well as to OUT/visit.json"},

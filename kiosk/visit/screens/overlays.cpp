@@ -17,8 +17,9 @@ constexpr std::string_view kGlobe =
 
 // Who held a finger still by chance now hears a voice: its way out is marked.
 Button comfort(const Desk& desk) {
-  const bool aided = desk.screen().spoken || desk.screen().one_switch;
-  return {"comfort", desk.say("all.comfort"), aided ? Look::chosen : Look::quiet};
+  Button way{"comfort", desk.say("all.comfort"), Look::quiet};
+  if (desk.screen().spoken || desk.screen().one_switch) way.on = true;
+  return way;
 }
 }  // namespace
 

@@ -132,10 +132,13 @@ void Page::button(const Button& button, const Rect& rect) {
         break;
       }
       case Look::quiet: {
-        if (held) draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, 0.14f), 0, {}});
+        const bool on = button.on.value_or(false);
+        if (held || on)
+          draw(view::Box{rect, radius, view::with_alpha(view::kCobalt, 0.14f), 0, {}});
         const float y = std::round(box.y + box.h) + type().hairline * 1.5f;
         const float x = box.x + (inner - text.width) / 2;
-        draw(view::Box{{x, y, text.width, type().hairline}, 0, view::kCobalt, 0, {}});
+        const float line = type().hairline * (on ? 3.0f : 1.0f);
+        draw(view::Box{{x, y, text.width, line}, 0, view::kCobalt, 0, {}});
         break;
       }
     }

@@ -31,7 +31,7 @@ struct Attention {
 
 /// The look of a control. Cobalt always means that it can be touched.
 enum class Look {
-  quiet,    ///< Words with a hairline below.
+  quiet,    ///< Words with a hairline below; tinted where Button::on.
   outline,  ///< Words in a hairline frame.
   chosen,   ///< An outline with a tint and a tick at its corner: a switch or a choice that is on.
   called,   ///< An outline with a tint: it would help now.

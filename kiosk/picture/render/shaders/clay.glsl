@@ -452,7 +452,7 @@ void main() {
   lit += specular(n, v, skin.roughness, skin.coat, s.sky * (PART >= 2 ? s.sky : 1.0), s.window);
 #if PART >= 2 && SKIN < 2
   // Embers hang at the axis, as a light the size of a fist.
-  const vec3 kEmbers = vec3(0.0125, 0.0034, 0.0006);
+  const vec3 kEmbers = vec3(0.0052, 0.0014, 0.0002);
   const float kFist = 0.03;
   vec3 way = vec3(0.0, mix(floor_height, height, 0.4), 0.0) - position;
   float far = dot(way, way);

@@ -74,8 +74,9 @@ TEST(Visit, WhatTheReportSaysIsWhatTheKeptVisitScoresToTheBit) {
       "rubric = \"" + rubric + "\"\n[vessel_scenes]\nmoon_jar = \"soft.toml\"\n", kFew);
   std::ofstream(folder / "soft.toml") << "[clay]\nrows = 160\nsectors = 120\nwall_min = 0.002\n"
                                          "[springback]\nshare = 0.12\ntime = 10.0\n[kiln]\n";
-  const Outcome run = onggi("visit --script follow --vessel moon_jar --seed 5 --window 640x480 " +
-                            ("--config " + file) + " --json - --out " + (folder / "out").string());
+  const Outcome run =
+      onggi("visit --script follow --vessel moon_jar --seed 5 --no-screens --window 640x480 " +
+            ("--config " + file) + " --json - --out " + (folder / "out").string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json visit = Json::parse(run.out);
   const std::string kept = visit["files"][2].get<std::string>();
@@ -97,8 +98,8 @@ TEST(Visit, AVesselWithASceneOfItsOwnIsThrownInThatAndTheOthersInTheExhibits) {
   std::ofstream(folder / "unfired.toml") << "[clay]\nrows = 200\nsectors = 180\n";
   for (const auto& [vessel, fired] : {std::pair{"tea_bowl", false}, {"moon_jar", true}}) {
     const Outcome run =
-        onggi("visit --script groove --window 640x480 --config " + file + " --vessel " + vessel +
-              " --json - --out " + (folder / vessel).string());
+        onggi("visit --script groove --no-screens --window 640x480 --config " + file +
+              " --vessel " + vessel + " --json - --out " + (folder / vessel).string());
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Json report = Json::parse(run.out);
     const double shrunk = report["height"].get<double>() / report["thrown_height"].get<double>();
@@ -116,8 +117,9 @@ TEST(Visit, AScriptVisitsAnExhibitThatIsReadAloudOrHasOneSwitch) {
         std::string("[vessel_scenes]\nmoon_jar = \"unfired.toml\"\n[screen]\n") + key + " = true\n",
         kFew);
     std::ofstream(folder / "unfired.toml") << "[clay]\nrows = 200\nsectors = 180\n";
-    const Outcome run = onggi("visit --script groove --vessel moon_jar --window 640x480 --config " +
-                              file + " --json - --out " + (folder / "out").string());
+    const Outcome run =
+        onggi("visit --script groove --vessel moon_jar --no-screens --window 640x480 --config " +
+              file + " --json - --out " + (folder / "out").string());
     ASSERT_EQ(run.exit_code, 0) << key << ": " << run.err;
     EXPECT_FALSE(Json::parse(run.out)["files"].empty()) << key;
   }
@@ -130,8 +132,9 @@ TEST(Visit, OnAWheelThatCannotTurnItEndsWithAWordOfTheWheel) {
       write_exhibit(folder, "first_touch", "[vessel_scenes]\nmoon_jar = \"still.toml\"\n", kFew);
   std::ofstream(folder / "still.toml")
       << "[clay]\nrows = 160\nsectors = 120\n[wheel]\nmax_speed = 0.0\n";
-  const Outcome run = onggi("visit --script follow --window 640x480 --vessel moon_jar --config " +
-                            file + " --out " + (folder / "out").string());
+  const Outcome run =
+      onggi("visit --script follow --no-screens --window 640x480 --vessel moon_jar --config " +
+            file + " --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("max_speed"), std::string::npos) << run.err;
 }
@@ -143,8 +146,9 @@ TEST(Visit, WhereTheScriptNeverTouchesTheClayItEndsWithAWordOfTheScript) {
       write_exhibit(folder, "first_touch", "[vessel_scenes]\nmoon_jar = \"thin.toml\"\n", kFew);
   std::ofstream(folder / "thin.toml")
       << "[clay]\nrows = 160\nsectors = 120\n[tool]\nradius = 0.002\n";
-  const Outcome run = onggi("visit --script coil_up --window 640x480 --vessel moon_jar --config " +
-                            file + " --out " + (folder / "out").string());
+  const Outcome run =
+      onggi("visit --script coil_up --no-screens --window 640x480 --vessel moon_jar --config " +
+            file + " --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("never touched the clay"), std::string::npos) << run.err;
 }
@@ -157,9 +161,10 @@ TEST(Visit, AVesselWithABuiltSceneIsBuiltOfCoilsAndThrownInItsOther) {
       << "[clay]\nrows = 200\nsectors = 60\n[volume]\n[building]\ncoil = 0.02\n[kiln]\n";
   double scores[2];
   for (const bool built : {false, true}) {
-    const Outcome run = onggi(std::string("visit --script ") + (built ? "build" : "true") +
-                              " --window 640x480 --vessel cylinder_vase --json - --config " + file +
-                              " --out " + (folder / (built ? "built" : "thrown")).string());
+    const Outcome run =
+        onggi(std::string("visit --script ") + (built ? "build" : "true") +
+              " --no-screens --window 640x480 --vessel cylinder_vase --json - --config " + file +
+              " --out " + (folder / (built ? "built" : "thrown")).string());
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Json visit = Json::parse(run.out);
     scores[built ? 1 : 0] = visit["score"].get<double>();
@@ -183,7 +188,7 @@ std::string with_missions(const ScratchFolder& folder) {
 
 TEST(Visit, AMissionIsChosenThrownAndScoredByWhatItAsksFor) {
   const ScratchFolder folder;
-  const Outcome run = onggi("visit --mission litre_jar --window 640x480 --config " +
+  const Outcome run = onggi("visit --mission litre_jar --no-screens --window 640x480 --config " +
                             with_missions(folder) + " --json - --out " + (folder / "out").string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json visit = Json::parse(run.out);
@@ -199,9 +204,9 @@ TEST(Visit, WithEyesClosedThePotIsThrownUnseenAndTwoVisitorsThrowOneWithAHandEac
   const ScratchFolder folder;
   const std::string config = with_missions(folder);
   for (const char* mission : {"eyes_closed", "two_hands"}) {
-    const Outcome run =
-        onggi("visit --mission " + std::string(mission) + " --window 640x480 --config " + config +
-              " --json - --out " + (folder / mission).string());
+    const Outcome run = onggi("visit --mission " + std::string(mission) +
+                              " --no-screens --window 640x480 --config " + config +
+                              " --json - --out " + (folder / mission).string());
     ASSERT_EQ(run.exit_code, 0) << mission << ": " << run.err;
     const Json visit = Json::parse(run.out);
     EXPECT_EQ(visit["mission"], mission);
@@ -214,7 +219,8 @@ TEST(Visit, AMissionIsDoneByWhoHasOneSwitchAndWhatWasSaidOfItIsWritten) {
   const ScratchFolder folder;
   const fs::path out = folder / "out";
   const Outcome run = onggi(
-      "visit --mission litre_jar --pace 0.5 --script switch --window 640x480 --language ko "
+      "visit --mission litre_jar --pace 0.5 --script switch --no-screens --window 640x480 "
+      "--language ko "
       "--config " +
       with_missions(folder) + " --json - --out " + out.string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
