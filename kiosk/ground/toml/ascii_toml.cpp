@@ -15,31 +15,6 @@ constexpr int kLongestChain = 16;
 
 bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
-/// Behind the string that begins at `i`; at the end of its line, or of `text`, where it is not
-/// closed.
-std::size_t behind_string(std::string_view text, std::size_t i) {
-  const char quote = text[i];
-  const std::array<char, 3> three{quote, quote, quote};
-  const std::string_view triple(three.data(), three.size());
-  const bool escapes = quote == '"';
-  const bool multi = text.substr(i, 3) == triple;
-  i += multi ? 3 : 1;
-  while (i < text.size()) {
-    if (text[i] == '\n' && !multi) return i;  // an unclosed string: the parser will say so
-    if (escapes && text[i] == '\\' && text.substr(i + 1, 1) != "\n") {
-      i += 2;
-    } else if (multi ? text.substr(i, 3) == triple : text[i] == quote) {
-      i += multi ? 3 : 1;
-      // Up to two more quotes belong to the string: """He said "go"""".
-      for (int extra = 0; multi && extra < 2 && i < text.size() && text[i] == quote; ++extra) ++i;
-      return i;
-    } else {
-      ++i;
-    }
-  }
-  return text.size();
-}
-
 struct Letter {
   char32_t point = 0;
   std::size_t bytes = 0;  ///< 0: it is not UTF-8 (RFC 3629: no overlong form, no surrogate).

@@ -1,12 +1,15 @@
 #include "kiosk/ground/toml/toml_text.h"
 
+#include <array>
 #include <string_view>
 
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/ground/toml/stand_in.h"
 
 namespace onggi::toml {
 Result<std::string> read_toml_text(const std::filesystem::path& file) {
   using Kind = files::ReadFault::Kind;
+  if (const std::string* text = standing_in_for(file)) return *text;
   const std::string name = file.string();
   const auto bytes = files::read_file(file, kLargestToml);
   if (!bytes) {
@@ -67,6 +70,30 @@ std::string line_of(const std::string& text, std::size_t line, std::size_t most)
   const std::size_t first = whole.find_first_not_of(" \t");
   if (first == std::string_view::npos) return "";
   return shown(whole.substr(first), most);
+}
+
+std::size_t behind_string(std::string_view text, std::size_t begin) {
+  std::size_t i = begin;
+  const char quote = text[i];
+  const std::array<char, 3> three{quote, quote, quote};
+  const std::string_view triple(three.data(), three.size());
+  const bool escapes = quote == '"';
+  const bool multi = text.substr(i, 3) == triple;
+  i += multi ? 3 : 1;
+  while (i < text.size()) {
+    if (text[i] == '\n' && !multi) return i;  // an unclosed string: the parser will say so
+    if (escapes && text[i] == '\\' && text.substr(i + 1, 1) != "\n") {
+      i += 2;
+    } else if (multi ? text.substr(i, 3) == triple : text[i] == quote) {
+      i += multi ? 3 : 1;
+      // Up to two more quotes belong to the string: """He said "go"""".
+      for (int extra = 0; multi && extra < 2 && i < text.size() && text[i] == quote; ++extra) ++i;
+      return i;
+    } else {
+      ++i;
+    }
+  }
+  return text.size();
 }
 
 }  // namespace onggi::toml

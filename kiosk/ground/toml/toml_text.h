@@ -23,4 +23,8 @@ std::string line_of(const std::string& text, std::size_t line, std::size_t most 
 /// `text` cut to `most` bytes at a whole character ("..." added then), control characters as '?'.
 std::string shown(std::string_view text, std::size_t most);
 
+/// Behind the string that begins at `begin`, of any of TOML's four kinds; at the end of its line,
+/// or of `text`, where it is not closed.
+std::size_t behind_string(std::string_view text, std::size_t begin);
+
 }  // namespace onggi::toml
