@@ -11,6 +11,7 @@
 #include <string>
 
 #include "kiosk/ground/files/descriptor.h"
+#include "kiosk/ground/files/durable_steps.h"
 
 namespace onggi::files {
 namespace {
@@ -38,6 +39,7 @@ Result<void> sync_folder(const fs::path& folder) {
   if (!fd.open() || !sync(fd.get())) {
     return tl::unexpected(disk_problem(folder, "write", errno));
   }
+  step_done("folder synced");
   return {};
 }
 
@@ -110,6 +112,7 @@ Result<void> rename_durably(const fs::path& from, const fs::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) {
     return tl::unexpected(disk_problem(to, "write", errno));
   }
+  step_done("renamed");
   return sync_folder(folder_of(to));
 }
 
@@ -147,11 +150,23 @@ Result<void> write_durably(const fs::path& file, std::span<const std::byte> byte
       return tl::unexpected(disk_problem(file, "write", errno));
   }
   if (there) keep_rights(fd.get(), before);
-  if (!write_all(fd.get(), bytes) || !sync(fd.get()) || !fd.close()) {
+  step_done("opened");
+  const std::size_t half = bytes.size() / 2;
+  const auto write_in_halves = [&] {
+    if (!write_all(fd.get(), bytes.first(half))) return false;
+    step_done("half written");
+    return write_all(fd.get(), bytes.subspan(half));
+  };
+  const auto synced = [&] {
+    step_done("written");
+    return sync(fd.get()) && fd.close();
+  };
+  if (!write_in_halves() || !synced()) {
     const int error = errno;
     ::unlink(temporary.c_str());
     return tl::unexpected(disk_problem(file, "write", error));
   }
+  step_done("synced");
   if (Result<void> renamed = rename_durably(temporary, file); !renamed) {
     ::unlink(temporary.c_str());
     return renamed;

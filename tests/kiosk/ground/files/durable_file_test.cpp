@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <fstream>
 
+#include "kiosk/ground/files/durable_steps.h"
 #include "tests/kiosk/ground/files/disk.h"
 
 namespace onggi::files::durable_file_test {
@@ -40,6 +41,43 @@ TEST(durable_file, what_a_killed_process_of_the_same_number_left_behind_is_in_no
                   (".pot.json." + std::to_string(::getpid()) + "-" + std::to_string(n) + ".part"));
   ASSERT_TRUE(write_durably(scratch.path() / "pot.json", bytes("{}")));
   EXPECT_EQ(content(scratch.path() / "pot.json"), "{}");
+}
+
+std::vector<std::string> seen_steps;
+
+// Synced before it is renamed: after a power cut the new name would else lead to no bytes.
+TEST(durable_file, its_steps_come_in_the_order_that_survives_a_power_cut) {
+  const ScratchFolder scratch;
+  seen_steps.clear();
+  watch_steps([](std::string_view step) { seen_steps.emplace_back(step); });
+  const auto written = write_durably(scratch.path() / "pot.json", bytes("{}"));
+  watch_steps(nullptr);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(seen_steps, std::vector<std::string>(kDurableSteps.begin(), kDurableSteps.end()));
+}
+
+// A real process is ended at each step, over an old file and over none.
+TEST(durable_file, a_process_that_is_killed_at_any_step_leaves_the_old_file_or_the_new_one) {
+  static std::string_view kill_at;
+  for (const bool there : {true, false})
+    for (std::size_t n = 0; n < kDurableSteps.size(); ++n) {
+      const ScratchFolder scratch;
+      const fs::path file = scratch.path() / "pot.json";
+      if (there) {
+        ASSERT_TRUE(write_durably(file, bytes("old")));
+      }
+      const int status = in_child([&] {
+        kill_at = kDurableSteps[n];
+        watch_steps([](std::string_view step) {
+          if (step == kill_at) ::raise(SIGKILL);
+        });
+        return write_durably(file, bytes("new, and longer")).has_value();
+      });
+      ASSERT_TRUE(WIFSIGNALED(status)) << kDurableSteps[n];
+      const bool renamed = n >= 4;
+      EXPECT_EQ(content(file), renamed ? "new, and longer" : there ? "old" : "")
+          << kDurableSteps[n];
+    }
 }
 
 TEST(durable_file, an_empty_file_and_a_bare_name_are_files_too) {
