@@ -1,6 +1,5 @@
 #include "kiosk/collection/settings/setting.h"
 
-#include <algorithm>
 #include <type_traits>
 
 #include "engine/base/field_check.h"
@@ -55,29 +54,29 @@ std::string usual_value(const Setting& setting) {
   return setting.usual.empty() ? written_value(setting, Exhibit{}) : std::string(setting.usual);
 }
 
-std::string allowed_range(const Setting& setting) {
-  if (!setting.range.empty()) return std::string(setting.range);
-  if (std::holds_alternative<SettingPlace<bool>>(setting.place)) return "true or false";
-  const bool whole = std::holds_alternative<SettingPlace<int>>(setting.place);
-  const auto end = [whole](double value) {
-    return whole ? std::to_string(static_cast<int>(value)) : number_text(value);
-  };
-  return (setting.unit.empty() ? "" : std::string(setting.unit) + ", ") + end(setting.least) +
-         " to " + end(setting.most);
-}
-
-std::string page_row(const Setting& setting) {
-  std::string row = "| `" + std::string(setting.key) + "` | " + std::string(setting.words);
-  if (setting.restarts_console) row += "; start onggi-console again after a change";
-  if (!setting.page.empty()) {
-    std::string stem = fs::path(setting.page).stem().string();
-    std::replace(stem.begin(), stem.end(), '_', ' ');
-    row += " ([" + stem + "](../" + std::string(setting.page) + "))";
-  }
-  // Texts and lists stand as code.
-  const std::string usual = usual_value(setting);
-  const char* const mark = usual.starts_with('"') || usual.starts_with('[') ? "`" : "";
-  return row + " | " + allowed_range(setting) + " | " + mark + usual + mark + " |";
+fields::Field field_of(const Setting& setting) {
+  using fields::FieldKind;
+  const FieldKind kind = std::visit(
+      []<class Value>(SettingPlace<Value>) {
+        if constexpr (std::is_same_v<Value, bool>) return FieldKind::boolean;
+        if constexpr (std::is_same_v<Value, int>) return FieldKind::whole;
+        if constexpr (std::is_same_v<Value, double>) return FieldKind::number;
+        if constexpr (std::is_same_v<Value, std::vector<std::string>>) return FieldKind::texts;
+        return FieldKind::text;
+      },
+      setting.place);
+  return {.table = std::string(setting.table),
+          .key = std::string(setting.key),
+          .kind = kind,
+          .words = std::string(setting.words),
+          .least = setting.least,
+          .most = setting.most,
+          .unit = std::string(setting.unit),
+          .range = std::string(setting.range),
+          .usual = usual_value(setting),
+          .page = std::string(setting.page),
+          .choices = {},
+          .restarts_console = setting.restarts_console};
 }
 
 }  // namespace onggi::settings

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kiosk/collection/settings/exhibit.h"
+#include "kiosk/ground/fields/field.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::settings {
@@ -67,10 +68,7 @@ std::string written_value(const Setting& setting, Exhibit exhibit);
 /// Its default, as the file writes it.
 std::string usual_value(const Setting& setting);
 
-/// Its row in config/README.md: key, meaning, unit and range, default.
-std::string page_row(const Setting& setting);
-
-/// What is allowed: "s, 20 to 3600", "true or false", "1 to 120 letters, one line".
-std::string allowed_range(const Setting& setting);
+/// Setting as a Field, with its default.
+fields::Field field_of(const Setting& setting);
 
 }  // namespace onggi::settings

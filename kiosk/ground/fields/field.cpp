@@ -1,0 +1,103 @@
+#include "kiosk/ground/fields/field.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/base/field_check.h"
+#include "engine/base/nearest_name.h"
+#include "kiosk/ground/toml/toml_splice.h"
+
+namespace onggi::fields {
+namespace {
+
+std::string last_of(const std::string& name) { return name.substr(name.rfind('.') + 1); }
+
+}  // namespace
+
+std::string Field::name() const { return table.empty() ? key : table + "." + key; }
+
+std::string bounds_words(const Field& field) {
+  const auto end = [&field](double value) {
+    return field.kind == FieldKind::whole ? std::to_string(static_cast<long long>(value))
+                                          : number_text(value);
+  };
+  return end(field.least) + " to " + end(field.most);
+}
+
+std::string allowed_range(const Field& field) {
+  if (!field.range.empty()) return field.range;
+  if (field.kind == FieldKind::boolean) return "true or false";
+  if (!field.choices.empty()) {
+    std::string all;
+    for (const std::string& choice : field.choices)
+      all += (all.empty() ? "`\"" : ", `\"") + choice + "\"`";
+    return all;
+  }
+  if (field.kind != FieldKind::whole && field.kind != FieldKind::number) return "";
+  return (field.unit.empty() ? "" : field.unit + ", ") + bounds_words(field);
+}
+
+std::string page_row(const Field& field) {
+  const std::string key = field.shown_key.empty() ? "`" + field.key + "`" : field.shown_key;
+  std::string row = "| " + key + " | " + field.words;
+  if (field.restarts_console) row += "; start onggi-console again after a change";
+  if (!field.page.empty()) {
+    std::string stem = std::filesystem::path(field.page).stem().string();
+    std::replace(stem.begin(), stem.end(), '_', ' ');
+    row += " ([" + stem + "](../" + field.page + "))";
+  }
+  // Texts and lists stand as code.
+  const char* const mark = field.usual.starts_with('"') || field.usual.starts_with('[') ? "`" : "";
+  return row + " | " + allowed_range(field) + " | " + mark + field.usual + mark + " |";
+}
+
+const Field* find_field(const FieldList& list, const toml::Path& names) {
+  if (names.empty()) return nullptr;
+  const std::string whole = toml::key_text(names),
+                    table = toml::key_text({names.begin(), names.end() - 1});
+  for (const Field& field : list.fields)
+    if (field.any_key ? field.table == table : field.name() == whole) return &field;
+  return nullptr;
+}
+
+std::string right_key(const FieldList& list, const std::string& wrong) {
+  std::vector<std::string> names, lasts;
+  for (const Field& field : list.fields) {
+    if (field.any_key) continue;
+    names.push_back(field.name());
+    lasts.push_back(field.key);
+  }
+  const auto ask = [](const std::string& name) { return "Did you mean " + name + "?"; };
+  // The key alone, or below a wrong table.
+  std::string all;
+  int found = 0;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (lasts[n] == last_of(wrong)) {
+      all += (found++ == 0 ? "" : " or ") + names[n];
+    }
+  if (found > 0 && found <= 3) return ask(all);
+  if (const std::string near = nearest_name(wrong, names); !near.empty()) return ask(near);
+  if (const std::string near = nearest_name(last_of(wrong), lasts); !near.empty())
+    return ask(names[static_cast<std::size_t>(std::ranges::find(lasts, near) - lasts.begin())]);
+  return "onggi check --fields shows every key.";
+}
+
+std::string kind_words(FieldKind kind) {
+  switch (kind) {
+    case FieldKind::boolean:
+      return "true or false";
+    case FieldKind::whole:
+      return "a whole number";
+    case FieldKind::number:
+      return "a number";
+    case FieldKind::text:
+      return "a text";
+    case FieldKind::texts:
+      return "a list of texts";
+    case FieldKind::list:
+      break;
+  }
+  return "a list";
+}
+
+}  // namespace onggi::fields
