@@ -19,6 +19,7 @@
 #include "kiosk/collection/settings/scene_file.h"
 #include "kiosk/exhibit/composition/check_letters.h"
 #include "kiosk/exhibit/composition/device_files.h"
+#include "kiosk/exhibit/composition/file_kind.h"
 #include "kiosk/exhibit/composition/missions.h"
 #include "kiosk/exhibit/composition/scenes.h"
 #include "kiosk/exhibit/composition/ways.h"
@@ -206,52 +207,55 @@ void check_whole_exhibit(CheckReport& report, const fs::path& file,
       check_language(report, words, known);
 }
 
-bool is_scene_table(const std::string& key) {
-  bool found = key == "clay" || key == "tool" || key == "contact" || key == "wheel" ||
-               key == "guard" || key == "paper";
-  SceneDef every;
-  each_effect(every, [&](auto& effect) {
-    found = found || key == std::remove_reference_t<decltype(*effect)>::kName;
-  });
-  return found;
+void check_device(CheckReport& report, const fs::path& file) {
+  for (const device::KindInfo& kind : device::device_kinds())
+    if (kind.id == file.stem().string()) {
+      auto device = device::read_device(file, device::default_def(kind.kind));
+      add(report, file, device.keys_checked, std::move(device.problems));
+    }
 }
 
-// Recognise the kind by keys that only one kind has; an exhibit by default.
 void check_toml(CheckReport& report, const fs::path& file,
                 const std::vector<std::string>& languages) {
-  toml::TomlReader reader(file);
-  auto keys = reader.ok() ? reader.root().keys() : std::vector<std::string>{};
-  const auto has = [&keys](const char* key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-  };
-  if (has("text") && has("code"))  // it may also have [glaze.ID], and so on
-    check_language(report, file);
-  else if (file.filename() == "vessel.toml" || has("label"))
-    check_vessels(report, file.has_parent_path() ? file.parent_path() : fs::path("."), languages);
-  else if (has("outer") || has("inner")) {
-    auto drawing = content::check_drawing(file);
-    add(report, file, drawing.keys_checked, std::move(drawing.problems));
-  } else if (has("body") && has("step")) {
-    auto decoration = decoration::check_decoration(file);
-    add(report, file, decoration.keys_checked, std::move(decoration.problems));
-  } else if ((has("tool") && has("simplified")) || file.parent_path().filename() == "ways") {
-    auto way = decoration::read_way(file, languages);
-    add(report, file, way.keys_checked, std::move(way.problems));
-  } else if (has("glaze")) {
-    check_glazes(report, file);
-  } else if (has("thing")) {
-    check_names(report, file, languages);
-  } else if (has("step")) {
-    check_lesson(report, file, languages);
-  } else if (has("mission")) {
-    check_missions(report, file, languages);
-  } else if (has("outline") || has("stars") || has("size_counts")) {
-    auto rubric = settings::read_rubric(file);
-    add(report, file, rubric.keys_checked, std::move(rubric.problems));
-  } else if (std::ranges::any_of(keys, is_scene_table)) {
-    check_scene(report, file);
-  } else {
-    check_whole_exhibit(report, file);
+  switch (kind_of_toml(file)) {
+    case FileKind::exhibit:
+      return check_whole_exhibit(report, file);
+    case FileKind::scene:
+      return check_scene(report, file);
+    case FileKind::device:
+      return check_device(report, file);
+    case FileKind::language:
+      return check_language(report, file);
+    case FileKind::names:
+      return check_names(report, file, languages);
+    case FileKind::vessel:
+      check_vessels(report, file.has_parent_path() ? file.parent_path() : fs::path("."), languages);
+      return;
+    case FileKind::glazes:
+      check_glazes(report, file);
+      return;
+    case FileKind::lesson:
+      check_lesson(report, file, languages);
+      return;
+    case FileKind::missions:
+      check_missions(report, file, languages);
+      return;
+    case FileKind::drawing: {
+      auto drawing = content::check_drawing(file);
+      return add(report, file, drawing.keys_checked, std::move(drawing.problems));
+    }
+    case FileKind::decoration: {
+      auto decoration = decoration::check_decoration(file);
+      return add(report, file, decoration.keys_checked, std::move(decoration.problems));
+    }
+    case FileKind::way: {
+      auto way = decoration::read_way(file, languages);
+      return add(report, file, way.keys_checked, std::move(way.problems));
+    }
+    case FileKind::rubric: {
+      auto rubric = settings::read_rubric(file);
+      return add(report, file, rubric.keys_checked, std::move(rubric.problems));
+    }
   }
 }
 

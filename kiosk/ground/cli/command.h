@@ -16,7 +16,8 @@ namespace onggi::cli {
 /// command, and the field that it fills. The caller keeps the field alive. An Output is checked
 /// before the command runs, and it adds the option --force to the command.
 struct Option {
-  using Field = std::variant<std::string*, bool*, int*, double*, std::uint64_t*, files::Output*>;
+  using Field = std::variant<std::string*, bool*, int*, double*, std::uint64_t*, files::Output*,
+                             std::vector<std::string>*>;  ///< The last: one word or more.
   std::string name;
   Field field;
   std::string help;

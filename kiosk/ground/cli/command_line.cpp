@@ -51,6 +51,9 @@ CLI::Option* add_field(CLI::App& to, const Option& option, std::string* field) {
   return to.add_option(option.name, *field, option.help)
       ->check(option.required ? not_empty_where_required : not_empty);
 }
+CLI::Option* add_field(CLI::App& to, const Option& option, std::vector<std::string>* field) {
+  return to.add_option(option.name, *field, option.help);
+}
 /// CLI11 takes the nearest number that fits for one that is too large.
 template <class Whole>
 std::string not_whole(const std::string& text) {

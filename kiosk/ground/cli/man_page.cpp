@@ -35,6 +35,7 @@ std::string value_of(const Option& option) {
     std::string operator()(double*) const { return "NUMBER"; }
     std::string operator()(std::uint64_t*) const { return "N"; }
     std::string operator()(files::Output*) const { return "FILE"; }
+    std::string operator()(std::vector<std::string>*) const { return "TEXT ..."; }
   };
   return std::visit(Word{}, option.field);
 }
@@ -44,6 +45,9 @@ std::string default_of(const Option& option) {
     std::string operator()(const std::string* text) const { return *text; }
     std::string operator()(const bool* flag) const { return *flag ? "true" : "false"; }
     std::string operator()(const files::Output* output) const { return output->where(); }
+    std::string operator()(const std::vector<std::string>* words) const {
+      return words->empty() ? "" : words->front();
+    }
     std::string operator()(const int* n) const { return std::to_string(*n); }
     std::string operator()(const std::uint64_t* n) const { return std::to_string(*n); }
     std::string operator()(const double* number) const {

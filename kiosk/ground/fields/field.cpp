@@ -79,7 +79,7 @@ std::string right_key(const FieldList& list, const std::string& wrong) {
   if (const std::string near = nearest_name(wrong, names); !near.empty()) return ask(near);
   if (const std::string near = nearest_name(last_of(wrong), lasts); !near.empty())
     return ask(names[static_cast<std::size_t>(std::ranges::find(lasts, near) - lasts.begin())]);
-  return "onggi check --fields shows every key.";
+  return "config/README.md names every key.";
 }
 
 std::string kind_words(FieldKind kind) {

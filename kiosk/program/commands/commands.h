@@ -11,6 +11,8 @@ cli::Command run_command();
 cli::Command visit_command();
 cli::Command replay_command();
 cli::Command check_command();
+cli::Command set_command();
+cli::Command undo_command();
 cli::Command vessel_command();
 cli::Command score_command();
 cli::Command stats_command();

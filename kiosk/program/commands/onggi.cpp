@@ -25,9 +25,10 @@ cli::Command onggi_command() {
               "Without a command the exhibit opens, as with: onggi run\n"
               "Exit: 0 success, 1 a fault of the program or machine, 2 a mistake in the input.",
           .options = run.options,
-          .commands = {run, visit_command(), replay_command(), check_command(), vessel_command(),
-                       score_command(), stats_command(), keepsake_command(), poster_command(),
-                       report_command(), lab_command(), devices_command(), setup_command()},
+          .commands = {run, visit_command(), replay_command(), check_command(), set_command(),
+                       undo_command(), vessel_command(), score_command(), stats_command(),
+                       keepsake_command(), poster_command(), report_command(), lab_command(),
+                       devices_command(), setup_command()},
           .run = run.run};
 }
 

@@ -1,0 +1,227 @@
+#include "kiosk/exhibit/editing/edit.h"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <optional>
+#include <span>
+
+#include "kiosk/exhibit/composition/file_kind.h"
+#include "kiosk/exhibit/editing/edit_check.h"
+#include "kiosk/exhibit/editing/file_fields.h"
+#include "kiosk/exhibit/editing/typed_value.h"
+#include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/durable_steps.h"
+#include "kiosk/ground/toml/toml_reader.h"
+#include "kiosk/ground/toml/toml_splice.h"
+#include "kiosk/ground/toml/toml_text.h"
+
+namespace onggi::editing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A text with some values set, and what they were.
+struct Draft {
+  std::string text;
+  std::vector<ChangedValue> values;
+  bool restarts_console = false;
+};
+
+/// Sets one value of `draft`.
+Result<void> set_one(Draft& draft, const fs::path& file, const fields::FieldList* list,
+                     const std::string& key, const std::string& typed) {
+  const std::string name = file.string();
+  const toml::TomlPlaces places(draft.text);
+  const auto found = typed_key(draft.text, places, key, name);
+  if (!found) return tl::unexpected(found.error());
+  const fields::Field* field = list == nullptr ? nullptr : fields::find_field(*list, found->names);
+  if (list != nullptr && field == nullptr)
+    return problem(name, toml::key_text(found->names) + " is not a key of this file.",
+                   fields::right_key(*list, toml::key_text(found->names)));
+  std::string was;
+  if (const toml::TomlPlaces::Value* old = places.value(found->path))
+    was = draft.text.substr(old->begin, old->end - old->begin);
+  const auto value = typed_value(typed, field, was, name + ", " + found->shown);
+  if (!value) return tl::unexpected(value.error());
+  if (*value == was) return {};
+  const auto done = toml::with_value(draft.text, found->path, *value, name);
+  if (!done) return tl::unexpected(done.error());
+  draft.text = done->text;
+  draft.values.push_back({found->shown, was, *value, done->added ? done->is : ""});
+  draft.restarts_console = draft.restarts_console || (field != nullptr && field->restarts_console);
+  return {};
+}
+
+/// "file:line:", where `key` of `text` stands.
+std::string line_of_key(const std::string& text, const fs::path& file, const std::string& key) {
+  const toml::TomlPlaces places(text);
+  const auto found = typed_key(text, places, key, "");
+  const toml::TomlPlaces::Value* value = found ? places.value(found->path) : nullptr;
+  if (value == nullptr) return "";
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(value->begin);
+  return file.string() + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) + ":";
+}
+
+/// The Problem of a change that is refused: the fault of a value itself comes first. A line that
+/// was only thought of cannot be looked at, so its key is named.
+Problem refusal(const std::vector<Problem>& faults, const fs::path& file, const Draft& draft) {
+  Problem out = faults.front();
+  for (const ChangedValue& value : draft.values) {
+    const std::string line = line_of_key(draft.text, file, value.key);
+    const auto own = std::ranges::find_if(faults, [&line](const Problem& fault) {
+      return !line.empty() && fault.where.starts_with(line);
+    });
+    if (own == faults.end()) continue;
+    out = *own;
+    if (!value.put.empty()) out.where = file.string() + ", " + value.key;
+    break;
+  }
+  out.what += " So nothing was changed.";
+  return out;
+}
+
+/// Removes what killed writers of `file` left beside it: ".NAME.PROCESS-N.part".
+void remove_leftovers(const fs::path& file) {
+  const std::string start = "." + file.filename().string() + ".";
+  std::error_code gone;
+  for (fs::directory_iterator it(file.parent_path(), gone), end; !gone && it != end;
+       it.increment(gone)) {
+    const std::string name = it->path().filename().string();
+    if (!name.starts_with(start) || !name.ends_with(".part")) continue;
+    pid_t process = 0;
+    std::from_chars(name.data() + start.size(), name.data() + name.size(), process);
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) fs::remove(it->path(), gone);
+  }
+}
+
+/// Writes `text` in the place of `before`, and nothing if the file is not `before` any more.
+Result<void> replace(const fs::path& file, const std::string& before, const std::string& text) {
+  const auto now = toml::read_toml_text(file);
+  if (!now) return tl::unexpected(now.error());
+  if (*now != before)
+    return problem(file.string(),
+                   "Somebody else changed this file at the same moment. So nothing was changed.",
+                   "Look at the file, and try again.", 1);
+  std::error_code error;
+  const fs::path real = fs::canonical(file, error);
+  if (!error) remove_leftovers(real);
+  auto written = files::write_durably(file, std::as_bytes(std::span(text)));
+  if (!written) {
+    written.error().what += " The file is as it was.";
+    return written;
+  }
+  files::step_done("file replaced");
+  return {};
+}
+
+/// The value of `revision` put back into `now`, which has changed elsewhere since. None where it
+/// does not stand there as it was set.
+std::optional<std::string> put_back(const Revision& revision, const std::string& now) {
+  std::string text = now;
+  for (auto value = revision.values.rbegin(); value != revision.values.rend(); ++value) {
+    const toml::TomlPlaces places(text);
+    const auto key = typed_key(text, places, value->key, "");
+    const toml::TomlPlaces::Value* there = key ? places.value(key->path) : nullptr;
+    if (there == nullptr || text.substr(there->begin, there->end - there->begin) != value->is)
+      return std::nullopt;
+    if (!value->was.empty()) {
+      text.replace(there->begin, there->end - there->begin, value->was);
+      continue;
+    }
+    const std::size_t found = text.find(value->put);
+    if (value->put.empty() || found == std::string::npos ||
+        text.find(value->put, found + 1) != std::string::npos)
+      return std::nullopt;
+    text.erase(found, value->put.size());
+    if (toml::TomlPlaces(text).value(key->path) != nullptr) return std::nullopt;
+  }
+  return text;
+}
+
+Result<Revision> newest_of(const Revisions& revisions) {
+  const auto all = revisions.read();
+  if (all.empty())
+    return problem("onggi undo", "There is no change to take back.",
+                   "onggi undo takes back what onggi set changed.");
+  return all.front();
+}
+
+}  // namespace
+
+Result<Edited> set_values(const fs::path& file,
+                          const std::vector<std::pair<std::string, std::string>>& changes) {
+  const auto before = toml::read_toml_text(file);
+  if (!before) return tl::unexpected(before.error());
+  if (const toml::TomlReader reader = toml::TomlReader::of_text(*before, file.string());
+      !reader.ok())
+    return tl::unexpected(reader.problems().front());
+  const fields::FieldList* list = fields_of(exhibit::kind_of_toml(file));
+  Draft draft{*before, {}, false};
+  for (const auto& [key, value] : changes)
+    if (auto set = set_one(draft, file, list, key, value); !set) return tl::unexpected(set.error());
+  Edited out{revision_of(*before, draft.text), draft.restarts_console};
+  if (draft.text == *before) return out;
+  if (const auto faults = new_faults(file, draft.text); !faults.empty())
+    return tl::unexpected(refusal(faults, file, draft));
+  out.revision.file = file;
+  out.revision.values = draft.values;
+  Revisions revisions(file);
+  if (auto locked = revisions.lock(); !locked) return tl::unexpected(locked.error());
+  revisions.tidy();
+  if (auto kept = revisions.keep(out.revision); !kept) return tl::unexpected(kept.error());
+  if (auto written = replace(file, *before, draft.text); !written) {
+    static_cast<void>(revisions.forget(out.revision));
+    return tl::unexpected(written.error());
+  }
+  revisions.tidy();
+  return out;
+}
+
+Result<Undone> undo(const fs::path& file) {
+  Revisions revisions(file);
+  if (auto none = newest_of(revisions); !none) return tl::unexpected(none.error());
+  if (auto locked = revisions.lock(); !locked) return tl::unexpected(locked.error());
+  auto newest = newest_of(revisions);
+  if (!newest) return tl::unexpected(newest.error());
+  Undone out{*newest, false};
+  const auto now = toml::read_toml_text(newest->file);
+  if (!now) return tl::unexpected(now.error());
+  auto old = newest->taken_from(*now);
+  if (!old) {
+    old = put_back(*newest, *now);
+    out.kept_others = true;
+  }
+  if (!old)
+    return problem(newest->file.string(),
+                   "This file was changed by hand after " + newest->when +
+                       ", and what was set then does not stand there any more: " +
+                       words_of(*newest) + ". So nothing was changed.",
+                   "Set the value that you want: onggi set FILE KEY VALUE. To go on to the change "
+                   "before: onggi undo --forget, then onggi undo.");
+  if (auto faults = new_faults(newest->file, *old); !faults.empty()) {
+    faults.front().what += " So nothing was taken back.";
+    return tl::unexpected(std::move(faults.front()));
+  }
+  if (auto written = replace(newest->file, *now, *old); !written)
+    return tl::unexpected(written.error());
+  if (auto forgotten = revisions.forget(*newest); !forgotten)
+    return tl::unexpected(forgotten.error());
+  revisions.tidy();
+  return out;
+}
+
+Result<Revision> forget_newest(const fs::path& file) {
+  Revisions revisions(file);
+  if (auto none = newest_of(revisions); !none) return none;
+  if (auto locked = revisions.lock(); !locked) return tl::unexpected(locked.error());
+  auto newest = newest_of(revisions);
+  if (!newest) return newest;
+  if (auto forgotten = revisions.forget(*newest); !forgotten)
+    return tl::unexpected(forgotten.error());
+  return newest;
+}
+
+}  // namespace onggi::editing

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "kiosk/exhibit/editing/revisions.h"
+
+namespace onggi::editing {
+
+/// What set_values() did.
+struct Edited {
+  Revision revision;              ///< With no values if the file had them all already.
+  bool restarts_console = false;  ///< onggi-console must be started again.
+};
+
+/// Sets each key (first) of `file` to a value (second), both as a person types them, in one step:
+/// all of them or none. Every other byte of the file stays. What `onggi check` would find wrong is
+/// refused, and nothing is written. The change is kept as a revision. Kill the process at any
+/// point, and the file is the old one or the new one, whole.
+/// Problem: exit 2 for a wrong key or value, 1 for what the disk does not allow.
+Result<Edited> set_values(const std::filesystem::path& file,
+                          const std::vector<std::pair<std::string, std::string>>& changes);
+
+/// What undo() did.
+struct Undone {
+  Revision revision;
+  bool kept_others = false;  ///< The file had changed since, and that stays.
+};
+
+/// Takes back the newest revision of the exhibit that `file` belongs to, whichever file it changed,
+/// and forgets it. Where that file was changed by hand since, the hand's changes stay: only the
+/// value is put back, if it still stands as it was set. Problem where it does not, where there is
+/// nothing to take back, and where `onggi check` would find a new fault.
+Result<Undone> undo(const std::filesystem::path& file);
+
+/// Forgets the newest revision, and leaves its file as it is.
+Result<Revision> forget_newest(const std::filesystem::path& file);
+
+}  // namespace onggi::editing

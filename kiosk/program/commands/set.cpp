@@ -1,0 +1,76 @@
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/plain_text.h"
+#include "kiosk/exhibit/editing/edit.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/program/commands/commands.h"
+
+namespace onggi::commands {
+
+namespace {
+
+struct SetArguments {
+  std::string file;
+  std::vector<std::string> words;
+};
+
+Result<int> set(const SetArguments& arguments) {
+  const auto file = files::exhibit_file(arguments.file);
+  if (!file) return tl::unexpected(file.error());
+  const auto& words = arguments.words;
+  if (words.size() % 2 != 0)
+    return problem("onggi set", "The key " + words.back() + " has no value.",
+                   "Write a value behind each key; one with spaces in quotes: "
+                   "onggi set config/exhibit.toml credit 'Museum of Clay'.");
+  std::vector<std::pair<std::string, std::string>> changes;
+  for (std::size_t n = 0; n < words.size(); n += 2) changes.emplace_back(words[n], words[n + 1]);
+  auto done = editing::set_values(*file, changes);
+  if (!done) {
+    if (changes.size() > 1 && done.error().what.ends_with("is not a key of this file."))
+      done.error().remedy += " A value with spaces stands in quotes: 'Museum of Clay'.";
+    return tl::unexpected(done.error());
+  }
+  const std::string name = terminal::plain(file->string());
+  if (done->revision.values.empty()) {
+    std::cout << name << ": it is so already. Nothing was changed.\n";
+    return 0;
+  }
+  for (const editing::ChangedValue& value : done->revision.values)
+    std::cout << name << ": " << terminal::plain(change_words(value)) << '\n';
+  if (done->restarts_console) std::cout << "Start onggi-console again, so that it sees this.\n";
+  std::cout << "An open kiosk takes it up when no visitor is there. To take it back: onggi undo\n";
+  return 0;
+}
+
+}  // namespace
+
+cli::Command set_command() {
+  const auto a = std::make_shared<SetArguments>();
+  return {
+      .name = "set",
+      .help = "Change one value of a settings file; everything else in it stays",
+      .examples =
+          "Example: onggi set config/exhibit.toml idle.warn_after 90\n"
+          "         onggi set config/exhibit.toml credit 'Museum of Clay'\n"
+          "         onggi set config/exhibit.toml languages en,ko,fr title.fr 'Un pot'\n"
+          "         onggi set content/missions.toml mission.litre_jar.on true\n"
+          "The result is checked first, as by onggi check, and a fault changes nothing. A value "
+          "that begins with - stands behind --.",
+      .options = {{.name = "file",
+                   .field = &a->file,
+                   .help = "The file, or the folder of an exhibit.toml",
+                   .required = true},
+                  {.name = "key_and_value",
+                   .field = &a->words,
+                   .help = "The key with its tables (idle.warn_after; an element of a list by "
+                           "its id or number: step.open.after), and its value; more keys and "
+                           "values are set in the same step",
+                   .required = true}},
+      .run = [a] { return set(*a); }};
+}
+
+}  // namespace onggi::commands

@@ -1,0 +1,79 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "engine/base/plain_text.h"
+#include "kiosk/exhibit/editing/edit.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/program/commands/commands.h"
+
+namespace onggi::commands {
+
+namespace {
+
+struct UndoArguments {
+  std::string config;
+  bool list = false, forget = false;
+};
+
+std::string indented(const std::string& words) {
+  std::string out = "  ";
+  for (const char c : words) out += c == '\n' ? "\n  " : std::string(1, c);
+  return terminal::plain(out);
+}
+
+Result<int> list(const std::filesystem::path& exhibit) {
+  const editing::Revisions revisions(exhibit);
+  const auto all = revisions.read();
+  if (all.empty()) std::cout << "Nothing was changed by onggi set, so there is nothing to undo.\n";
+  int number = 0;
+  for (const editing::Revision& revision : all)
+    std::cout << ++number << ". " << terminal::plain(revision.when) << "  "
+              << terminal::plain(revision.file.string()) << '\n'
+              << indented(words_of(revision)) << '\n';
+  return 0;
+}
+
+Result<int> undo(const UndoArguments& arguments) {
+  const auto exhibit = files::exhibit_file(arguments.config);
+  if (!exhibit) return tl::unexpected(exhibit.error());
+  if (arguments.list) return list(*exhibit);
+  if (arguments.forget) {
+    const auto forgotten = editing::forget_newest(*exhibit);
+    if (!forgotten) return tl::unexpected(forgotten.error());
+    std::cout << "Forgotten, and the file stays as it is: "
+              << terminal::plain(forgotten->file.string()) << '\n'
+              << indented(words_of(*forgotten)) << '\n';
+    return 0;
+  }
+  const auto done = editing::undo(*exhibit);
+  if (!done) return tl::unexpected(done.error());
+  for (const editing::ChangedValue& value : done->revision.values)
+    std::cout << terminal::plain(done->revision.file.string()) << ": "
+              << terminal::plain(undo_words(value, done->revision.when)) << '\n';
+  if (done->kept_others) std::cout << "What was changed by hand since then stays.\n";
+  return 0;
+}
+
+}  // namespace
+
+cli::Command undo_command() {
+  const auto a = std::make_shared<UndoArguments>();
+  return {
+      .name = "undo",
+      .help = "Take back the newest change of onggi set, or list the last twenty",
+      .examples =
+          "Example: onggi undo --list\n"
+          "         onggi undo\n"
+          "Said again, it takes back the change before. Changes made by hand stay.",
+      .options = {{"--list", &a->list, "List the changes, the newest first, and change nothing"},
+                  {.name = "--forget",
+                   .field = &a->forget,
+                   .help = "Forget the newest change, and leave its file as it is",
+                   .excludes = "--list"},
+                  {"--config", &a->config,
+                   "The exhibit's TOML [the one in the current folder, else the program's]"}},
+      .run = [a] { return undo(*a); }};
+}
+
+}  // namespace onggi::commands
