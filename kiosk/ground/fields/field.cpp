@@ -1,9 +1,11 @@
 #include "kiosk/ground/fields/field.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 
-#include "engine/base/field_check.h"
 #include "engine/base/nearest_name.h"
 #include "kiosk/ground/toml/toml_splice.h"
 
@@ -19,9 +21,21 @@ std::string Field::name() const { return table.empty() ? key : table + "." + key
 std::string bounds_words(const Field& field) {
   const auto end = [&field](double value) {
     return field.kind == FieldKind::whole ? std::to_string(static_cast<long long>(value))
-                                          : number_text(value);
+                                          : number_words(value);
   };
   return end(field.least) + " to " + end(field.most);
+}
+
+std::string number_words(double value) {
+  std::array<char, 40> text{};
+  char* const end = text.data() + text.size();
+  // Shortest; written out unless that takes many digits.
+  constexpr double kLarge = 1e9, kSmall = 1e-6;
+  const double size = std::abs(value);
+  const bool out = size == 0.0 || (size >= kSmall && size < kLarge);
+  const auto done = std::to_chars(text.data(), end, value,
+                                  out ? std::chars_format::fixed : std::chars_format::scientific);
+  return {text.data(), done.ptr};
 }
 
 std::string allowed_range(const Field& field) {
@@ -53,17 +67,28 @@ std::string page_row(const Field& field) {
 
 const Field* find_field(const FieldList& list, const toml::Path& names) {
   if (names.empty()) return nullptr;
-  const std::string whole = toml::key_text(names),
-                    table = toml::key_text({names.begin(), names.end() - 1});
-  for (const Field& field : list.fields)
-    if (field.any_key ? field.table == table : field.name() == whole) return &field;
-  return nullptr;
+  const auto found = std::ranges::find_if(
+      list.fields, [&names](const Field& field) { return field.matches(names); });
+  return found == list.fields.end() ? nullptr : &*found;
+}
+
+bool Field::matches(const toml::Path& names) const {
+  const toml::Path own = toml::path_of(name());
+  return own.size() == names.size() &&
+         std::equal(own.begin(), own.end(), names.begin(),
+                    [](const std::string& part, const std::string& given) {
+                      // "LANGUAGE", "VESSEL", "DATE": any
+                      const bool any = part.size() > 1 && std::ranges::all_of(part, [](char c) {
+                                         return c >= 'A' && c <= 'Z';
+                                       });
+                      return any || part == given;
+                    });
 }
 
 std::string right_key(const FieldList& list, const std::string& wrong) {
   std::vector<std::string> names, lasts;
   for (const Field& field : list.fields) {
-    if (field.any_key) continue;
+    if (field.any_key || field.table.find("LANGUAGE") != std::string::npos) continue;
     names.push_back(field.name());
     lasts.push_back(field.key);
   }
@@ -79,7 +104,7 @@ std::string right_key(const FieldList& list, const std::string& wrong) {
   if (const std::string near = nearest_name(wrong, names); !near.empty()) return ask(near);
   if (const std::string near = nearest_name(last_of(wrong), lasts); !near.empty())
     return ask(names[static_cast<std::size_t>(std::ranges::find(lasts, near) - lasts.begin())]);
-  return "config/README.md names every key.";
+  return "onggi check --fields shows every key.";
 }
 
 std::string kind_words(FieldKind kind) {

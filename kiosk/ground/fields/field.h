@@ -22,8 +22,8 @@ enum class FieldKind {
 /// One key of a file that curators write. Readers, `onggi check --fields`, `onggi set`, the page
 /// config/README.md and a form go by lists of these, so that a key is written down once.
 struct Field {
-  std::string table;  ///< "screen", "step.words"; "": above all tables.
-  std::string key;    ///< Of any_key: what a key is, in capitals: "LANGUAGE".
+  std::string table{};  ///< "screen", "label.LANGUAGE"; "": above all tables.
+  std::string key{};    ///< Of any_key: what a key is, in capitals: "LANGUAGE".
   FieldKind kind = FieldKind::text;
   std::string words{};                 ///< What it does. One line of Markdown.
   double least = 0.0, most = 0.0;      ///< Of a number, both included; both 0: told by `range`.
@@ -37,8 +37,10 @@ struct Field {
   std::string shown_key{};             ///< The key as the page shows it; "": `key`.
   bool on_page = true;                 ///< False: another row of the page speaks for it.
 
-  /// "screen.force", "title.LANGUAGE".
+  /// "screen.force", "title.LANGUAGE". A part in capitals stands for any name.
   std::string name() const;
+  /// True if `names` (a Path without the numbers of elements) lead to it.
+  bool matches(const toml::Path& names) const;
 };
 
 /// The keys of one kind of file.
@@ -46,6 +48,9 @@ struct FieldList {
   std::string file;  ///< "exhibit.toml", "scenes/*.toml".
   std::vector<Field> fields;
 };
+
+/// A number with the fewest digits that read back as the same: "0.004", "5000000".
+std::string number_words(double value);
 
 /// The bounds of a number: "20 to 3600".
 std::string bounds_words(const Field& field);

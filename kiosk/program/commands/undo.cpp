@@ -1,5 +1,6 @@
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "engine/base/plain_text.h"
@@ -16,10 +17,13 @@ struct UndoArguments {
   bool list = false, forget = false;
 };
 
+/// Each line behind two spaces, without anything that a terminal would obey.
 std::string indented(const std::string& words) {
-  std::string out = "  ";
-  for (const char c : words) out += c == '\n' ? "\n  " : std::string(1, c);
-  return terminal::plain(out);
+  std::string out;
+  std::istringstream in(words);
+  for (std::string line; std::getline(in, line);)
+    out += (out.empty() ? "  " : "\n  ") + terminal::plain(line);
+  return out;
 }
 
 Result<int> list(const std::filesystem::path& exhibit) {

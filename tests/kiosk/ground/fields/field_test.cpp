@@ -62,7 +62,7 @@ TEST(field, that_is_wrong_leads_to_the_right_one) {
   EXPECT_EQ(right_key(kList, "warn_after"), "Did you mean idle.warn_after?");
   EXPECT_EQ(right_key(kList, "screen.warn_after"), "Did you mean idle.warn_after?");
   EXPECT_EQ(right_key(kList, "warn-aftr"), "Did you mean idle.warn_after?");
-  EXPECT_EQ(right_key(kList, "zebra"), "config/README.md names every key.");
+  EXPECT_EQ(right_key(kList, "zebra"), "onggi check --fields shows every key.");
 }
 
 }  // namespace

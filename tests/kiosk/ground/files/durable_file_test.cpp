@@ -75,7 +75,9 @@ TEST(durable_file, a_process_that_is_killed_at_any_step_leaves_the_old_file_or_t
       });
       ASSERT_TRUE(WIFSIGNALED(status)) << kDurableSteps[n];
       const bool renamed = n >= 4;
-      EXPECT_EQ(content(file), renamed ? "new, and longer" : there ? "old" : "")
+      EXPECT_EQ(content(file), renamed ? "new, and longer"
+                               : there ? "old"
+                                       : "")
           << kDurableSteps[n];
     }
 }
