@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/collection/content/content_fields.h"
 #include "kiosk/collection/settings/color_in.h"
 #include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
 #include "kiosk/collection/settings/visitor_text.h"
+#include "kiosk/ground/fields/field_reader.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -15,9 +17,10 @@ namespace {
 
 using Table = toml::TomlReader::Table;
 
-void read_share(Table& table, const std::string& key, double most, float& out) {
+void read_share(Table& table, const std::string& key, float& out) {
   double value = static_cast<double>(out);
-  if (table.number(key, value, 0.0, most)) out = static_cast<float>(value);
+  if (fields::read_number(table, fields::field_at(glaze_fields(), "glaze", key), value))
+    out = static_cast<float>(value);
 }
 
 /// Texts by language; if `needed`, all of `languages` are required.
@@ -60,14 +63,14 @@ bool read_glaze(Table& table, const std::vector<std::string>& languages,
   good = settings::read_color(table, "glass", look.glass) && good;
   // Slip and band exist if their colour is written.
   if (!settings::read_color(table, "slip", look.slip)) look.slip_cover = 0.0f;
-  read_share(table, "slip_cover", 1.0, look.slip_cover);
-  read_share(table, "brushed", 1.0, look.brushed);
-  read_share(table, "pooling", 1.0, look.pooling);
-  read_share(table, "gloss", 1.0, look.gloss);
+  read_share(table, "slip_cover", look.slip_cover);
+  read_share(table, "brushed", look.brushed);
+  read_share(table, "pooling", look.pooling);
+  read_share(table, "gloss", look.gloss);
   if (settings::read_color(table, "band", look.band))
     look.band_height = 0.8f, look.band_width = 0.02f;
-  read_share(table, "band_height", 1.0, look.band_height);
-  read_share(table, "band_width", 0.2, look.band_width);
+  read_share(table, "band_height", look.band_height);
+  read_share(table, "band_width", look.band_width);
   table.finish();
   return good;
 }

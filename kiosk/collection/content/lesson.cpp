@@ -3,9 +3,11 @@
 #include <span>
 
 #include "engine/base/nearest_name.h"
+#include "kiosk/collection/content/content_fields.h"
 #include "kiosk/collection/settings/list_file.h"
 #include "kiosk/collection/settings/text_in.h"
 #include "kiosk/collection/settings/visitor_text.h"
+#include "kiosk/ground/fields/field_reader.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -49,7 +51,7 @@ bool read_step(LessonTable& table, const std::vector<std::string>& languages,
   good = read_step_words(table, languages, translations, step.id, step.words) && good;
   read_choice(table, "hands", kHandsDrawn, step.hands);
   read_choice(table, "until", kDoneWhen, step.until);
-  table.number("after", step.after, 3.0, 120.0, "s");
+  fields::read_number(table, fields::field_at(lesson_fields(), "step", "after"), step.after);
   table.finish();
   return good;
 }

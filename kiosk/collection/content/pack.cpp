@@ -3,9 +3,11 @@
 #include "engine/base/nearest_name.h"
 #include "engine/effects/prints.h"
 #include "kiosk/collection/content/address.h"
+#include "kiosk/collection/content/content_fields.h"
 #include "kiosk/collection/content/pack_advice.h"
 #include "kiosk/collection/settings/visitor_text.h"
 #include "kiosk/collection/textures/srgb.h"
+#include "kiosk/ground/fields/field_reader.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::content {
@@ -147,8 +149,10 @@ PackRead read_pack(const std::filesystem::path& toml, const std::vector<std::str
   root.text("paddle", paddle);
   root.texts("glazes", pack.glazes);
   double mm = 0.0;
-  if (root.number("true_height_mm", mm, 5.0, 5000.0, "mm")) pack.true_height = 0.001 * mm;
-  if (root.number("true_diameter_mm", mm, 5.0, 5000.0, "mm")) pack.true_diameter = 0.001 * mm;
+  if (fields::read_number(root, fields::field_at(vessel_fields(), "", "true_height_mm"), mm))
+    pack.true_height = 0.001 * mm;
+  if (fields::read_number(root, fields::field_at(vessel_fields(), "", "true_diameter_mm"), mm))
+    pack.true_diameter = 0.001 * mm;
   read_mesh_terms(root, pack);
   root.text("institution", pack.institution);
   root.text("accession", pack.accession);

@@ -38,7 +38,8 @@ void add_hours(std::vector<Field>& out) {
                  .key = "DATE",
                  .words = "the hours of a date (`2026-12-24`), or of a day of every year (`12-24`)",
                  .range = spans,
-                 .any_key = true});
+                 .any_key = true,
+                 .on_page = false});  // an example shows it
 }
 
 fields::FieldList all_fields() {

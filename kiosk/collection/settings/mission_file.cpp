@@ -5,8 +5,10 @@
 
 #include "engine/base/nearest_name.h"
 #include "kiosk/collection/settings/list_file.h"
+#include "kiosk/collection/settings/mission_fields.h"
 #include "kiosk/collection/settings/text_in.h"
 #include "kiosk/collection/settings/visitor_text.h"
+#include "kiosk/ground/fields/field_reader.h"
 #include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::settings {
@@ -76,9 +78,11 @@ bool read_vessel(MissionTable& mission, const std::vector<std::string>& shelf, s
 }
 
 /// [from, to] in mm.
-bool read_bounds(MissionTable& mission, const std::string& key, double low, double high,
+bool read_bounds(MissionTable& mission, const std::string& key,
                  std::optional<Mission::Described::Bounds>& out) {
   if (!mission.has(key)) return true;
+  const fields::Field& field = fields::field_at(mission_fields(), "mission", key);
+  const double low = field.least, high = field.most;
   std::vector<double> mm;
   if (!mission.numbers(key, mm)) return false;
   if (mm.size() != 2 || !(mm[0] <= mm[1]) || mm[0] < low || mm[1] > high) {
@@ -96,10 +100,11 @@ bool read_bounds(MissionTable& mission, const std::string& key, double low, doub
 bool read_described(MissionTable& mission, Mission::Described& out) {
   mission.require("litres", "Write how much it should hold: litres = 1.0.");
   double litres = 1.0;
-  bool good = mission.number("litres", litres, kLeastLitres, kMostLitres, "litres");
+  bool good =
+      fields::read_number(mission, fields::field_at(mission_fields(), "mission", "litres"), litres);
   out.volume = 1e-3 * litres;
-  good = read_bounds(mission, "height_mm", 40, 200, out.height) && good;
-  return read_bounds(mission, "mouth_mm", 40, 220, out.mouth) && good;
+  good = read_bounds(mission, "height_mm", out.height) && good;
+  return read_bounds(mission, "mouth_mm", out.mouth) && good;
 }
 
 bool read_mission(MissionTable& table, const std::vector<std::string>& languages,

@@ -1,14 +1,18 @@
 #include "kiosk/wheel/device/device_file.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
+#include "kiosk/ground/fields/field_reader.h"
 #include "kiosk/ground/toml/toml_reader.h"
+#include "kiosk/wheel/device/device_fields.h"
 
 namespace onggi::device {
 
 namespace {
 
+using fields::Field;
 using Table = toml::TomlReader::Table;
 
 // Colgate's b > K (T / 2 + delay T), with the margin of onggi lab loop (engine/lab).
@@ -42,11 +46,21 @@ void read_axes(Table& root, device::DeviceDef& def) {
                   "\"-y\"].");
 }
 
-void read_place(Table& root, const char* key, Vec3& out, double most) {
+const Field& device_field(const char* table, const char* key) {
+  return fields::field_at(device_fields(), table, key);
+}
+
+/// Three numbers within the field's range.
+bool are_three(const std::vector<double>& numbers, const Field& wanted) {
+  return numbers.size() == 3 && std::ranges::all_of(numbers, [&wanted](double value) {
+           return value >= wanted.least && value <= wanted.most;
+         });
+}
+
+void read_place(Table& root, const char* key, Vec3& out) {
   std::vector<double> numbers;
   if (!root.numbers(key, numbers)) return;
-  bool good = numbers.size() == 3;
-  for (const double value : numbers) good = good && value >= -most && value <= most;
+  const bool good = are_three(numbers, device_field("", key));
   if (good)
     out = {1e-3 * numbers[0], 1e-3 * numbers[1], 1e-3 * numbers[2]};
   else
@@ -66,46 +80,45 @@ void check_limit(Table table, device::DeviceDef& def) {
 }
 
 template <class Value>
-void read_three(Table& table, const char* key, std::array<Value, 3>& out, double low, double high,
-                double unit) {
+void read_three(Table& table, const char* key, std::array<Value, 3>& out, double unit) {
   std::vector<double> numbers;
   if (!table.numbers(key, numbers)) return;
-  bool good = numbers.size() == 3;
-  for (const double value : numbers) good = good && value >= low && value <= high;
-  if (!good)
+  if (!are_three(numbers, device_field("arm", key)))
     return table.complain(key, std::string(key) + " is not three numbers within the range.",
                           "Write one for each of the three bodies of the arm.");
   for (std::size_t n = 0; n < 3; ++n) out[n] = static_cast<Value>(unit * numbers[n]);
 }
 
 void read_force(Table table, device::DeviceDef& def) {
-  table.number("max", def.max_force, 0.0, 22.2, "N");
-  table.number("slew", def.max_slew, 10.0, 1e5, "N/s");
-  table.number("ramp", def.engage_time, 0.05, 5.0, "s");
-  table.number("damping", def.damping, 0.0, 20.0, "N s/m");
+  fields::read_number(table, device_field("force", "max"), def.max_force);
+  fields::read_number(table, device_field("force", "slew"), def.max_slew);
+  fields::read_number(table, device_field("force", "ramp"), def.engage_time);
+  fields::read_number(table, device_field("force", "damping"), def.damping);
   double limit = 0.0;
-  if (table.number("stiffness_limit", limit, 5.0, 1e5, "N/m")) def.stiffness_limit = limit;
+  if (fields::read_number(table, device_field("force", "stiffness_limit"), limit))
+    def.stiffness_limit = limit;
   table.finish();
 }
 
 void read_body(Table table, device::DeviceBody& body) {
-  table.number("mass", body.mass, 0.005, 5.0, "kg");
-  table.number("damping", body.damping, 0.0, 20.0, "N s/m");
-  table.number("friction", body.friction, 0.0, 5.0, "N");
+  fields::read_number(table, device_field("body", "mass"), body.mass);
+  fields::read_number(table, device_field("body", "damping"), body.damping);
+  fields::read_number(table, device_field("body", "friction"), body.friction);
   double step_mm = 1e3 * body.step;
-  if (table.number("step_mm", step_mm, 0.0, 1.0, "mm")) body.step = 1e-3 * step_mm;
-  table.integer("delay", body.delay, 0, 8, "ticks");
+  if (fields::read_number(table, device_field("body", "step_mm"), step_mm))
+    body.step = 1e-3 * step_mm;
+  fields::read_whole(table, device_field("body", "delay"), body.delay);
   table.finish();
 }
 
 void read_arm(Table table, device::ArmDef& arm) {
-  read_three(table, "capstan_mm", arm.capstan, 1.0, 200.0, 1e-3);
-  read_three(table, "body_mm", arm.body, 10.0, 1000.0, 1e-3);
-  read_three(table, "length_mm", arm.length, 10.0, 2000.0, 1e-3);
-  read_three(table, "torque", arm.torque, 0.001, 10.0, 1.0);
-  read_three(table, "counts", arm.counts, 10.0, 1e6, 1.0);
-  read_three(table, "parked", arm.parked, -32768.0, 32767.0, 1.0);
-  table.number("most_milliamperes", arm.most_milliamperes, 0.0, 32767.0, "mA");
+  read_three(table, "capstan_mm", arm.capstan, 1e-3);
+  read_three(table, "body_mm", arm.body, 1e-3);
+  read_three(table, "length_mm", arm.length, 1e-3);
+  read_three(table, "torque", arm.torque, 1.0);
+  read_three(table, "counts", arm.counts, 1.0);
+  read_three(table, "parked", arm.parked, 1.0);
+  fields::read_number(table, device_field("arm", "most_milliamperes"), arm.most_milliamperes);
   table.finish();
 }
 
@@ -117,14 +130,14 @@ DeviceRead read_device(const std::filesystem::path& file, const device::DeviceDe
   toml::TomlReader reader(file);
   auto root = reader.root();
   read_axes(root, read.def);
-  read_place(root, "middle_mm", read.def.middle, 500.0);
-  read_place(root, "home_mm", read.def.home, 450.0);
-  root.number("scale", read.def.scale, 0.1, 10.0);
-  root.number("speed", read.def.speed, 0.01, 1.0, "m/s");
-  root.number("dead", read.def.dead, 0.0, 0.5);
-  root.number("turn_speed", read.def.turn_speed, 0.0, 10.0, "rad/s");
-  root.number("smoothing", read.def.smoothing, 0.0, 0.05, "s");
-  root.number("lifts_after", read.def.lifts_after, 0.1, 30.0, "s");
+  read_place(root, "middle_mm", read.def.middle);
+  read_place(root, "home_mm", read.def.home);
+  fields::read_number(root, device_field("", "scale"), read.def.scale);
+  fields::read_number(root, device_field("", "speed"), read.def.speed);
+  fields::read_number(root, device_field("", "dead"), read.def.dead);
+  fields::read_number(root, device_field("", "turn_speed"), read.def.turn_speed);
+  fields::read_number(root, device_field("", "smoothing"), read.def.smoothing);
+  fields::read_number(root, device_field("", "lifts_after"), read.def.lifts_after);
   read_force(root.child("force"), read.def);
   read_body(root.child("body"), read.def.body);
   check_limit(root.child("force"), read.def);

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "kiosk/collection/settings/exhibit_fields.h"
+#include "tests/kiosk/ground/fields/page_tables.h"
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
 namespace onggi::settings::exhibit_settings_test {
@@ -20,25 +21,11 @@ namespace fs = std::filesystem;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-using Lines = std::vector<std::string>;
-
-Lines lines_of(const fs::path& file) {
-  Lines lines;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-/// With ONGGI_WRITE=1 a page or file that differs from the list is written anew.
-bool writes() { return std::getenv("ONGGI_WRITE") != nullptr; }
-
-void write(const fs::path& file, const Lines& lines) {
-  std::ofstream out(file);
-  for (const std::string& line : lines) out << line << '\n';
-}
-
-constexpr const char* kWrite =
-    "Run this test with ONGGI_WRITE=1 in the source's folder, and it writes the file.";
+using fields::test::kWrite;
+using fields::test::Lines;
+using fields::test::lines_of;
+using fields::test::write;
+using fields::test::writes;
 
 /// The first line from `first` for which `is` holds, or the end.
 template <class Is>
@@ -46,44 +33,21 @@ Lines::iterator next(Lines& lines, Lines::iterator first, Is is) {
   return std::find_if(first, lines.end(), is);
 }
 
-/// The names of the list's tables, in its order.
-std::vector<std::string> tables() {
-  std::vector<std::string> names;
-  for (const fields::Field& field : exhibit_fields().fields)
-    if (names.empty() || names.back() != field.table) names.push_back(field.table);
-  return names;
-}
-
 TEST(exhibit_settings, every_setting_stands_once_and_tables_stand_together) {
-  std::set<std::pair<std::string_view, std::string_view>> keys;
-  for (const Setting& setting : exhibit_settings()) {
-    EXPECT_TRUE(keys.insert({setting.table, setting.key}).second) << setting.key;
-    EXPECT_FALSE(setting.words.empty()) << setting.key;
-    EXPECT_EQ(setting.words.find('|'), std::string_view::npos) << setting.key;
-  }
-  const auto names = tables();
-  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  fields::test::expect_whole(exhibit_fields());
+  std::set<std::string_view> seen;
+  std::string_view last = "none";
+  for (const Setting& setting : exhibit_settings())
+    if (setting.table != last) {
+      last = setting.table;
+      EXPECT_TRUE(seen.insert(last).second) << last;
+    }
 }
 
 TEST(exhibit_settings, the_page_has_every_row_as_the_list_has_it) {
-  const fs::path page = "config/README.md";
-  const Lines before = lines_of(page);
-  Lines lines = before;
-  for (const std::string& name : tables()) {
-    if (name == "hours.exceptions") continue;  // an example shows it
-    const std::string heading = name.empty() ? "## exhibit.toml" : "### [" + name + "]";
-    const auto at = std::find(lines.begin(), lines.end(), heading);
-    ASSERT_NE(at, lines.end()) << "Write a heading into " << page << ": " << heading;
-    const auto begin = next(lines, at, [](const std::string& l) { return l.starts_with("| "); });
-    const auto end = next(lines, begin, [](const std::string& l) { return !l.starts_with("|"); });
-    Lines table{"| key | meaning | unit, range | default |", "|---|---|---|---|"};
-    for (const fields::Field& field : exhibit_fields().fields)
-      if (field.table == name && field.on_page) table.push_back(fields::page_row(field));
-    EXPECT_TRUE(writes() || Lines(begin, end) == table)
-        << "The table below " << heading << " differs from the list. " << kWrite;
-    lines.insert(lines.erase(begin, end), table.begin(), table.end());
-  }
-  if (writes() && lines != before) write(page, lines);
+  fields::test::expect_on_page(exhibit_fields(), "## exhibit.toml", [](const std::string& table) {
+    return table.empty() ? "## exhibit.toml" : "### [" + table + "]";
+  });
 }
 
 /// The lines of the table [`name`] of a TOML file, without blank ones at its end; none if the file
