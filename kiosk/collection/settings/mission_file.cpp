@@ -61,8 +61,7 @@ bool is_on_shelf(MissionTable& mission, const std::string& key, std::size_t inde
 }
 
 bool read_today(MissionTable& mission, const std::vector<std::string>& shelf, Mission& out) {
-  if (!mission.has("vessels")) return true;
-  if (!mission.texts("vessels", out.vessels)) return false;
+  if (!mission.texts("vessels", out.vessels)) return !mission.has("vessels");
   if (out.vessels.empty())
     mission.complain("vessels", "vessels is empty.",
                      "Name vessels on the shelf, or remove the key to use all of them.");
@@ -73,18 +72,17 @@ bool read_today(MissionTable& mission, const std::vector<std::string>& shelf, Mi
 }
 
 bool read_vessel(MissionTable& mission, const std::vector<std::string>& shelf, std::string& out) {
-  if (!mission.has("vessel")) return true;
-  return mission.text("vessel", out) && is_on_shelf(mission, "vessel", 0, false, out, shelf);
+  if (!mission.text("vessel", out)) return !mission.has("vessel");
+  return is_on_shelf(mission, "vessel", 0, false, out, shelf);
 }
 
 /// [from, to] in mm.
 bool read_bounds(MissionTable& mission, const std::string& key,
                  std::optional<Mission::Described::Bounds>& out) {
-  if (!mission.has(key)) return true;
   const fields::Field& field = fields::field_at(mission_fields(), "mission", key);
   const double low = field.least, high = field.most;
   std::vector<double> mm;
-  if (!mission.numbers(key, mm)) return false;
+  if (!mission.numbers(key, mm)) return !mission.has(key);
   if (mm.size() != 2 || !(mm[0] <= mm[1]) || mm[0] < low || mm[1] > high) {
     const auto text = [](double x) { return std::to_string(static_cast<int>(x)); };
     mission.complain(key, key + " is not a minimum and a maximum.",
@@ -138,8 +136,9 @@ bool read_mission(MissionTable& table, const std::vector<std::string>& languages
       break;
     case Mission::Kind::two_hands:
       good = read_vessel(table, there, mission.vessel) && good;
-      if (table.has("second"))
-        good = read_one_of(table, "second", "second hand", kSecondHands, mission.second) && good;
+      good = (read_one_of(table, "second", "second hand", kSecondHands, mission.second) ||
+              !table.has("second")) &&
+             good;
       break;
   }
   table.finish();

@@ -69,6 +69,7 @@ std::string line_of_key(const std::string& text, const fs::path& file, const std
 /// was only thought of cannot be looked at, so its key is named.
 Problem refusal(const std::vector<Problem>& faults, const fs::path& file, const Draft& draft) {
   Problem out = faults.front();
+  const ChangedValue* of = nullptr;
   for (const ChangedValue& value : draft.values) {
     const std::string line = line_of_key(draft.text, file, value.key);
     const auto own = std::ranges::find_if(faults, [&line](const Problem& fault) {
@@ -76,9 +77,14 @@ Problem refusal(const std::vector<Problem>& faults, const fs::path& file, const 
     });
     if (own == faults.end()) continue;
     out = *own;
-    if (!value.put.empty()) out.where = file.string() + ", " + value.key;
+    of = &value;
     break;
   }
+  // Behind a line that was added the others have moved, too.
+  if (of == nullptr)
+    for (const ChangedValue& value : draft.values)
+      if (!value.put.empty() && out.where.starts_with(file.string() + ":")) of = &value;
+  if (of != nullptr && !of->put.empty()) out.where = file.string() + ", " + of->key;
   out.what += " So nothing was changed.";
   return out;
 }

@@ -46,6 +46,13 @@ std::vector<Problem> faults_with(const fs::path& file) {
   return out;
 }
 
+/// Calls the file as it was named, where the exhibit's check has its whole path.
+void call_as(const fs::path& file, Problem& problem) {
+  const std::size_t end = std::min(problem.where.find(':'), problem.where.size());
+  if (files::real_path(problem.where.substr(0, end)) == files::real_path(file))
+    problem.where = file.string() + problem.where.substr(end);
+}
+
 }  // namespace
 
 std::vector<Problem> new_faults(const fs::path& file, const std::string& text) {
@@ -59,6 +66,7 @@ std::vector<Problem> new_faults(const fs::path& file, const std::string& text) {
   for (const Problem& problem : faults_with(file)) before.insert(name_of(problem));
   std::erase_if(after,
                 [&before](const Problem& problem) { return before.contains(name_of(problem)); });
+  for (Problem& problem : after) call_as(file, problem);
   return after;
 }
 

@@ -12,6 +12,11 @@
 namespace onggi::fields {
 namespace {
 
+/// "LANGUAGE", "VESSEL", "DATE".
+bool is_any_name(const std::string& part) {
+  return part.size() > 1 && std::ranges::all_of(part, [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
 std::string last_of(const std::string& name) { return name.substr(name.rfind('.') + 1); }
 
 }  // namespace
@@ -77,19 +82,24 @@ bool Field::matches(const toml::Path& names) const {
   return own.size() == names.size() &&
          std::equal(own.begin(), own.end(), names.begin(),
                     [](const std::string& part, const std::string& given) {
-                      // "LANGUAGE", "VESSEL", "DATE": any
-                      const bool any = part.size() > 1 && std::ranges::all_of(part, [](char c) {
-                                         return c >= 'A' && c <= 'Z';
-                                       });
-                      return any || part == given;
+                      return is_any_name(part) || part == given;
                     });
 }
 
 std::string right_key(const FieldList& list, const std::string& wrong) {
+  const toml::Path given = toml::path_of(wrong);
   std::vector<std::string> names, lasts;
   for (const Field& field : list.fields) {
-    if (field.any_key || field.table.find("LANGUAGE") != std::string::npos) continue;
-    names.push_back(field.name());
+    if (field.name().starts_with(wrong + "."))
+      return "It is a table. Name one of its keys: " + field.name() + ".";
+    if (field.any_key) continue;
+    // A language in the middle is the one that was given.
+    toml::Path name = toml::path_of(field.name());
+    const bool alike = name.size() == given.size();
+    if (std::ranges::any_of(name, is_any_name) && !alike) continue;
+    for (std::size_t n = 0; n < name.size(); ++n)
+      if (is_any_name(name[n])) name[n] = given[n];
+    names.push_back(toml::key_text(name));
     lasts.push_back(field.key);
   }
   const auto ask = [](const std::string& name) { return "Did you mean " + name + "?"; };
@@ -97,9 +107,7 @@ std::string right_key(const FieldList& list, const std::string& wrong) {
   std::string all;
   int found = 0;
   for (std::size_t n = 0; n < names.size(); ++n)
-    if (lasts[n] == last_of(wrong)) {
-      all += (found++ == 0 ? "" : " or ") + names[n];
-    }
+    if (lasts[n] == last_of(wrong)) all += (found++ == 0 ? "" : " or ") + names[n];
   if (found > 0 && found <= 3) return ask(all);
   if (const std::string near = nearest_name(wrong, names); !near.empty()) return ask(near);
   if (const std::string near = nearest_name(last_of(wrong), lasts); !near.empty())

@@ -129,6 +129,16 @@ TEST(edit, says_where_a_refused_value_stands_and_tells_of_the_value_first) {
   const auto added = set(site, "phone.hours", "0");
   ASSERT_FALSE(added);
   EXPECT_THAT(added.error().where, ::testing::EndsWith("config/exhibit.toml, phone.hours"));
+  // A fault elsewhere, in lines that an added one has moved.
+  const auto date = set(site, "hours.exceptions.12-25", "closed");
+  ASSERT_FALSE(date);
+  EXPECT_THAT(date.error().where,
+              ::testing::EndsWith("config/exhibit.toml, hours.exceptions.12-25"));
+  // The file is called as it was named, also where the exhibit leads to it.
+  const auto gloss =
+      set_values(site / "config/../content/glazes.toml", {{"glaze.celadon.gloss", "2"}});
+  ASSERT_FALSE(gloss);
+  EXPECT_THAT(gloss.error().where, ::testing::EndsWith("config/../content/glazes.toml:10:9"));
   // Six other days lack hours too.
   const auto day = set(site, "hours.monday", "10-12");
   ASSERT_FALSE(day);

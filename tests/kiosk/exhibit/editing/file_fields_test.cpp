@@ -4,7 +4,9 @@
 
 #include <random>
 #include <set>
+#include <sstream>
 
+#include "kiosk/exhibit/composition/check_exhibit.h"
 #include "kiosk/exhibit/editing/edit.h"
 #include "kiosk/ground/toml/toml_splice.h"
 #include "tests/kiosk/exhibit/editing/small_site.h"
@@ -55,6 +57,74 @@ TEST(file_fields, have_every_key_of_every_file_that_ships) {
   }
   EXPECT_EQ(kinds.size(), 7u);
   EXPECT_GT(keys, 1000);
+}
+
+/// The keys that a reader asks for in a table: what it says of one that it does not know.
+std::set<std::string> asked_for(const fs::path& file, const std::string& text,
+                                const std::string& wrong) {
+  std::set<std::string> out;
+  std::ofstream(file, std::ios::binary) << text;
+  const auto report = exhibit::check_path(file.string());
+  if (!report) return out;
+  const std::string start = "Remove it, or write one of: ";
+  for (const Problem& problem : report->problems) {
+    if (!problem.where.starts_with(file.string() + ":") ||
+        problem.what.find(wrong) == std::string::npos || !problem.remedy.starts_with(start))
+      continue;
+    std::istringstream names(problem.remedy.substr(start.size()));
+    for (std::string name; names >> name;) out.insert(name.substr(0, name.find_first_of(",.")));
+  }
+  return out;
+}
+
+struct ReadTable {
+  const char* file;
+  std::string table;               ///< Of the list.
+  std::vector<std::string> texts;  ///< In each, the key `qqqqqqqqqqqqqqqqqqqq` is unknown.
+  std::set<std::string> tables{};  ///< That are no keys.
+};
+
+// What a reader asks for, its list has, and nothing else: no key is left out, and none is made up.
+TEST(file_fields, have_the_keys_that_the_readers_ask_for) {
+  const SmallSite site;
+  const std::string q = "qqqqqqqqqqqqqqqqqqqq = 1\n";
+  const auto mission = [&](const std::string& kind) {
+    return "[[mission]]\nid = \"a\"\nkind = \"" + kind + "\"\n" + q;
+  };
+  std::vector<ReadTable> all{
+      {"config/devices/polhem.toml", "", {q}, {"force", "body", "arm"}},
+      {"config/devices/polhem.toml", "force", {"[force]\n" + q}},
+      {"config/devices/polhem.toml", "body", {"[body]\n" + q}},
+      {"config/devices/polhem.toml", "arm", {"[arm]\n" + q}},
+      {"content/glazes.toml", "glaze", {"[[glaze]]\nid = \"a\"\n" + q}, {"name", "about"}},
+      {"content/lessons/a.toml", "step", {"[[step]]\nid = \"a\"\n" + q}, {"words"}},
+      {"content/missions.toml",
+       "mission",
+       {mission("today"), mission("describe"), mission("eyes_closed"), mission("two_hands")},
+       {"title", "about"}},
+      {"content/vessels/moon_jar/vessel.toml", "", {q}, {"label"}},
+      {"content/vessels/moon_jar/vessel.toml", "label.LANGUAGE", {"[label.en]\n" + q}}};
+  for (const std::string& table : fields::test::tables_of(*fields_of(exhibit::FileKind::scene)))
+    all.push_back({"config/scenes/a.toml", table, {"[" + table + "]\n" + q}});
+  for (const std::string table :
+       {"idle", "keepsake", "store", "screen", "sound", "access", "phone", "reader", "attract"})
+    all.push_back({"config/exhibit.toml", table, {"[" + table + "]\n" + q}});
+  all.push_back({"config/exhibit.toml", "hours", {"[hours]\n" + q}, {"exceptions"}});
+  for (const ReadTable& one : all) {
+    SCOPED_TRACE(std::string(one.file) + " [" + one.table + "]");
+    const fs::path file = site / one.file;
+    std::set<std::string> asked, listed;
+    const fields::FieldList* list = nullptr;
+    for (const std::string& text : one.texts) {
+      asked.merge(asked_for(file, text, q.substr(0, 20)));
+      list = fields_of(exhibit::kind_of_toml(file));
+      ASSERT_NE(list, nullptr);
+    }
+    for (const std::string& table : one.tables) asked.erase(table);
+    for (const fields::Field& field : list->fields)
+      if (field.table == one.table && !field.any_key) listed.insert(field.key);
+    EXPECT_EQ(asked, listed);
+  }
 }
 
 /// Another legal value, as far as a list can tell; "" if none is known.

@@ -28,6 +28,7 @@ const FieldList kList{
       .kind = FieldKind::boolean,
       .words = "it speaks",
       .restarts_console = true},
+     {.table = "label.LANGUAGE", .key = "title", .words = "the name"},
      {.table = "step.words", .key = "LANGUAGE", .words = "the words", .any_key = true}}};
 
 TEST(field, tells_what_is_allowed_by_its_kind) {
@@ -51,7 +52,8 @@ TEST(field, is_a_row_of_the_page) {
 TEST(field, is_found_by_its_names_and_by_any_key_of_an_open_table) {
   EXPECT_EQ(find_field(kList, {"credit"}), &kList.fields[0]);
   EXPECT_EQ(find_field(kList, {"idle", "warn_after"}), &kList.fields[1]);
-  EXPECT_EQ(find_field(kList, {"step", "words", "ko"}), &kList.fields[5]);
+  EXPECT_EQ(find_field(kList, {"step", "words", "ko"}), &kList.fields[6]);
+  EXPECT_EQ(find_field(kList, {"label", "ko", "title"}), &kList.fields[5]);
   EXPECT_EQ(find_field(kList, {"step", "words"}), nullptr);
   EXPECT_EQ(find_field(kList, {"warn_after"}), nullptr);
   EXPECT_EQ(find_field(kList, {}), nullptr);
@@ -62,6 +64,8 @@ TEST(field, that_is_wrong_leads_to_the_right_one) {
   EXPECT_EQ(right_key(kList, "warn_after"), "Did you mean idle.warn_after?");
   EXPECT_EQ(right_key(kList, "screen.warn_after"), "Did you mean idle.warn_after?");
   EXPECT_EQ(right_key(kList, "warn-aftr"), "Did you mean idle.warn_after?");
+  EXPECT_EQ(right_key(kList, "idle"), "It is a table. Name one of its keys: idle.warn_after.");
+  EXPECT_EQ(right_key(kList, "label.fr.titel"), "Did you mean label.fr.title?");
   EXPECT_EQ(right_key(kList, "zebra"), "onggi check --fields shows every key.");
 }
 
