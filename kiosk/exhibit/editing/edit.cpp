@@ -103,6 +103,14 @@ void remove_leftovers(const fs::path& file) {
   }
 }
 
+/// What the disk did not allow, for somebody at a terminal.
+Problem nothing_written(Problem fault) {
+  fault.what += " The file is as it was.";
+  if (fault.remedy.starts_with("Let user number"))
+    fault.remedy = "Write sudo before the command. Or: " + fault.remedy;
+  return fault;
+}
+
 /// Writes `text` in the place of `before`, and nothing if the file is not `before` any more.
 Result<void> replace(const fs::path& file, const std::string& before, const std::string& text) {
   const auto now = toml::read_toml_text(file);
@@ -115,10 +123,7 @@ Result<void> replace(const fs::path& file, const std::string& before, const std:
   const fs::path real = fs::canonical(file, error);
   if (!error) remove_leftovers(real);
   auto written = files::write_durably(file, std::as_bytes(std::span(text)));
-  if (!written) {
-    written.error().what += " The file is as it was.";
-    return written;
-  }
+  if (!written) return tl::unexpected(nothing_written(std::move(written.error())));
   files::step_done("file replaced");
   return {};
 }
@@ -175,9 +180,11 @@ Result<Edited> set_values(const fs::path& file,
   out.revision.file = file;
   out.revision.values = draft.values;
   Revisions revisions(file);
-  if (auto locked = revisions.lock(); !locked) return tl::unexpected(locked.error());
+  if (auto locked = revisions.lock(); !locked)
+    return tl::unexpected(nothing_written(std::move(locked.error())));
   revisions.tidy();
-  if (auto kept = revisions.keep(out.revision); !kept) return tl::unexpected(kept.error());
+  if (auto kept = revisions.keep(out.revision); !kept)
+    return tl::unexpected(nothing_written(std::move(kept.error())));
   if (auto written = replace(file, *before, draft.text); !written) {
     static_cast<void>(revisions.forget(out.revision));
     return tl::unexpected(written.error());
@@ -189,7 +196,8 @@ Result<Edited> set_values(const fs::path& file,
 Result<Undone> undo(const fs::path& file) {
   Revisions revisions(file);
   if (auto none = newest_of(revisions); !none) return tl::unexpected(none.error());
-  if (auto locked = revisions.lock(); !locked) return tl::unexpected(locked.error());
+  if (auto locked = revisions.lock(); !locked)
+    return tl::unexpected(nothing_written(std::move(locked.error())));
   auto newest = newest_of(revisions);
   if (!newest) return tl::unexpected(newest.error());
   Undone out{*newest, false};
@@ -222,7 +230,8 @@ Result<Undone> undo(const fs::path& file) {
 Result<Revision> forget_newest(const fs::path& file) {
   Revisions revisions(file);
   if (auto none = newest_of(revisions); !none) return none;
-  if (auto locked = revisions.lock(); !locked) return tl::unexpected(locked.error());
+  if (auto locked = revisions.lock(); !locked)
+    return tl::unexpected(nothing_written(std::move(locked.error())));
   auto newest = newest_of(revisions);
   if (!newest) return newest;
   if (auto forgotten = revisions.forget(*newest); !forgotten)

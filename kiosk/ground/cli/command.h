@@ -16,8 +16,9 @@ namespace onggi::cli {
 /// command, and the field that it fills. The caller keeps the field alive. An Output is checked
 /// before the command runs, and it adds the option --force to the command.
 struct Option {
+  /// The last: every word that no other option takes, as it was typed, one at the end of a command.
   using Field = std::variant<std::string*, bool*, int*, double*, std::uint64_t*, files::Output*,
-                             std::vector<std::string>*>;  ///< The last: one word or more.
+                             std::vector<std::string>*>;
   std::string name;
   Field field;
   std::string help;

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -50,9 +51,6 @@ CLI::Option* add_field(CLI::App& to, const Option& option, files::Output* field)
 CLI::Option* add_field(CLI::App& to, const Option& option, std::string* field) {
   return to.add_option(option.name, *field, option.help)
       ->check(option.required ? not_empty_where_required : not_empty);
-}
-CLI::Option* add_field(CLI::App& to, const Option& option, std::vector<std::string>* field) {
-  return to.add_option(option.name, *field, option.help);
 }
 /// CLI11 takes the nearest number that fits for one that is too large.
 template <class Whole>
@@ -99,9 +97,31 @@ CLI::Validator between(double least, double most) {
           },
           "in [" + written(least) + " - " + written(most) + "]"};
 }
+using Words = std::vector<std::string>;
+
+/// The words behind all others, which a command takes as they are; null if it takes none.
+Words* rest_of(const Command& command) {
+  for (const Option& option : command.options)
+    if (Words* const* rest = std::get_if<Words*>(&option.field)) return *rest;
+  return nullptr;
+}
+
 void add_option(CLI::App& to, const Option& option) {
-  CLI::Option* added =
-      std::visit([&](auto* field) { return add_field(to, option, field); }, option.field);
+  // CLI11 would take "[a, b]" for two words, and "-5" for an option. It keeps what it does not know
+  // as it is, so these words are that.
+  if (std::holds_alternative<Words*>(option.field)) {
+    to.allow_extras();
+    to.description(to.get_description() + "\n\n" + option.name + ": " + option.help);
+    return;
+  }
+  CLI::Option* added = std::visit(
+      [&](auto* field) -> CLI::Option* {
+        if constexpr (std::is_same_v<decltype(field), Words*>)
+          return nullptr;
+        else
+          return add_field(to, option, field);
+      },
+      option.field);
   added->required(option.required);
   if (std::isfinite(option.most))
     added->check(between(option.least, option.most));
@@ -133,7 +153,9 @@ void describe(CLI::App& app, const Command& command, const Command*& chosen, boo
     app.add_flag("--force", force, "Overwrite a file of another kind");
   if (!command.commands.empty()) app.require_subcommand(command.run ? 0 : 1, 1);
   app.callback([&app, &command, &chosen] {
-    if (app.get_subcommands().empty()) chosen = &command;
+    if (!app.get_subcommands().empty()) return;
+    chosen = &command;
+    if (Words* rest = rest_of(command)) *rest = app.remaining();
   });
 }
 
@@ -170,6 +192,7 @@ std::optional<Problem> too_early(const CLI::App& app, const Command& command, co
   const auto next = std::ranges::find(command.commands, below.front()->get_name(), &Command::name);
   if (const auto deeper = too_early(*below.front(), *next, chosen, path)) return deeper;
   for (const Option& option : command.options) {
+    if (std::holds_alternative<Words*>(option.field)) continue;
     const CLI::Option* given = app.get_option(option.name);
     if (given->count() == 0) continue;
     const bool flag = std::holds_alternative<bool*>(option.field);

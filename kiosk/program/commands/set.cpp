@@ -22,6 +22,10 @@ Result<int> set(const SetArguments& arguments) {
   const auto file = files::exhibit_file(arguments.file);
   if (!file) return tl::unexpected(file.error());
   const auto& words = arguments.words;
+  if (words.empty())
+    return problem(
+        "onggi set", "No key is named.",
+        "Name a key and its value: onggi set " + arguments.file + " idle.warn_after 90.");
   if (words.size() % 2 != 0)
     return problem("onggi set", "The key " + words.back() + " has no value.",
                    "Write a value behind each key; one with spaces in quotes: "
@@ -50,27 +54,24 @@ Result<int> set(const SetArguments& arguments) {
 
 cli::Command set_command() {
   const auto a = std::make_shared<SetArguments>();
-  return {
-      .name = "set",
-      .help = "Change one value of a settings file; everything else in it stays",
-      .examples =
-          "Example: onggi set config/exhibit.toml idle.warn_after 90\n"
-          "         onggi set config/exhibit.toml credit 'Museum of Clay'\n"
-          "         onggi set config/exhibit.toml languages en,ko,fr title.fr 'Un pot'\n"
-          "         onggi set content/missions.toml mission.litre_jar.on true\n"
-          "The result is checked first, as by onggi check, and a fault changes nothing. A value "
-          "that begins with - stands behind --.",
-      .options = {{.name = "file",
-                   .field = &a->file,
-                   .help = "The file, or the folder of an exhibit.toml",
-                   .required = true},
-                  {.name = "key_and_value",
-                   .field = &a->words,
-                   .help = "The key with its tables (idle.warn_after; an element of a list by "
-                           "its id or number: step.open.after), and its value; more keys and "
-                           "values are set in the same step",
-                   .required = true}},
-      .run = [a] { return set(*a); }};
+  return {.name = "set",
+          .help = "Change one value of a settings file; everything else in it stays",
+          .examples =
+              "Example: onggi set config/exhibit.toml idle.warn_after 90\n"
+              "         onggi set config/exhibit.toml credit 'Museum of Clay'\n"
+              "         onggi set config/exhibit.toml languages en,ko,fr title.fr 'Un pot'\n"
+              "         onggi set content/missions.toml mission.litre_jar.on true\n"
+              "The result is checked first, as by onggi check, and a fault changes nothing.",
+          .options = {{.name = "file",
+                       .field = &a->file,
+                       .help = "The file, or the folder of an exhibit.toml",
+                       .required = true},
+                      {.name = "KEY VALUE ...",
+                       .field = &a->words,
+                       .help = "the key with its tables (idle.warn_after; an element of a list by "
+                               "its id or number: step.open.after), and its value; more keys and "
+                               "values are set in the same step"}},
+          .run = [a] { return set(*a); }};
 }
 
 }  // namespace onggi::commands

@@ -270,6 +270,48 @@ TEST(edit, on_a_disk_that_takes_nothing_leaves_the_old_file_whole) {
   }
 }
 
+// The exhibit is root's, as on a kiosk, and the curator forgot to say sudo.
+TEST(edit, of_a_user_without_rights_is_told_to_say_sudo) {
+  if (::geteuid() != 0) GTEST_SKIP() << "Only root can become another user.";
+  const SmallSite site;
+  const auto before = site.texts();
+  for (const char* shut : {".", "config"}) {
+    fs::permissions(site.path(), fs::perms(0777));
+    fs::permissions(site / "config", fs::perms(0777));
+    fs::permissions(site / shut, fs::perms(0755));
+    const int status = in_child([&] {
+      if (::setuid(65534) != 0) return false;
+      const auto done = set(site, "idle.warn_after", "90");
+      return !done && done.error().exit_code == 1 &&
+             done.error().what.find("The file is as it was.") != std::string::npos &&
+             done.error().remedy.starts_with("Write sudo before the command.");
+    });
+    EXPECT_EQ(status, 0) << shut;
+    EXPECT_EQ(site.texts(), before);
+    EXPECT_TRUE(Revisions(site.exhibit()).read().empty());
+  }
+}
+
+fs::path saved_meanwhile;
+
+// While the exhibit is checked an editor saves the same file.
+TEST(edit, does_not_overwrite_what_somebody_saves_at_the_same_moment) {
+  const SmallSite site;
+  saved_meanwhile = site.exhibit();
+  const std::string by_hand = replaced(content(site.exhibit()), "\"Onggi\"", "\"Saved\"");
+  static std::string text;
+  text = by_hand;
+  files::watch_steps([](std::string_view step) {
+    if (step == "revision kept") std::ofstream(saved_meanwhile, std::ios::binary) << text;
+  });
+  const auto done = set(site, "idle.warn_after", "90");
+  files::watch_steps(nullptr);
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().what, HasSubstr("Somebody else changed this file"));
+  EXPECT_EQ(content(site.exhibit()), by_hand);
+  EXPECT_TRUE(Revisions(site.exhibit()).read().empty());
+}
+
 std::string kill_at;
 int steps_to_go = 0;
 void kill_there(std::string_view step) {

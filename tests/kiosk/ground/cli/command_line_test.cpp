@@ -70,6 +70,30 @@ class CommandLine : public ::testing::Test {
       .run = [this] { return ran("wheel"); }};
 };
 
+// The library would split brackets at commas, and take a minus for an option.
+TEST_F(CommandLine, WordsAtTheEndArriveAsTheyWereTyped) {
+  std::string file;
+  std::vector<std::string> words;
+  const Command set{
+      .name = "set",
+      .help = "Sets.",
+      .examples = "Example: wheel set a b",
+      .options = {{.name = "file", .field = &file, .help = "A file", .required = true},
+                  {.name = "WORDS", .field = &words, .help = "any words"}},
+      .run = [] { return Result<int>(0); }};
+  program_.commands.push_back(set);
+  EXPECT_EQ(run({"set", "a.toml", "key", "[1, 2]", "-5", "", "set", "--x", "it's \"q\""}), 0);
+  EXPECT_EQ(file, "a.toml");
+  EXPECT_EQ(words,
+            (std::vector<std::string>{"key", "[1, 2]", "-5", "", "set", "--x", "it's \"q\""}));
+  words.clear();
+  EXPECT_EQ(run({"set", "a.toml"}), 0);
+  EXPECT_TRUE(words.empty());
+  EXPECT_EQ(run({"set"}), 2);
+  EXPECT_EQ(run({"set", "--help"}), 0);
+  EXPECT_NE(said_.find("WORDS: any words"), std::string::npos);
+}
+
 TEST_F(CommandLine, fields_are_filled_before_the_command_that_was_named_runs) {
   EXPECT_EQ(run({"turn", "--speed", "90", "jar", "--seed=7", "--right"}), 0) << said_;
   EXPECT_EQ(ran_, "turn");

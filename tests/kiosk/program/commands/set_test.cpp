@@ -56,13 +56,31 @@ TEST(set_command, a_slip_is_told_with_what_to_do_and_changes_nothing) {
         {"config/exhibit.toml idle.warn_after 5", "config/exhibit.toml:28:14: "},
         {"config/exhibit.toml idle.warn_after 1,5", "A part of one has a point: 1.5."},
         {"config/exhibt.toml idle.warn_after 90", "There is no such file."},
-        {"config/exhibit.toml", "key_and_value is required"}}) {
+        {"config/exhibit.toml sound.volume -1", "the smallest allowed value is 0"},
+        {"config/exhibit.toml", "No key is named."}}) {
     const Outcome slip = in(site, std::string("set ") + arguments);
     EXPECT_EQ(slip.exit_code, 2) << arguments;
     EXPECT_EQ(slip.out, "");
     expect_in(what, slip.err);
   }
   EXPECT_EQ(site.texts(), before);
+}
+
+// The library that reads the command line would split the list, and take its brackets away.
+TEST(set_command, brackets_quotes_and_a_minus_arrive_as_they_were_typed) {
+  const SmallSite site;
+  const Outcome list = in(site,
+                          "set config/exhibit.toml languages '[\"en\", \"ko\", \"de\"]' title.de "
+                          "'[Ein Topf]' credit 'it\"s \\ ours'");
+  EXPECT_EQ(list.exit_code, 0) << list.err;
+  const std::string text = content(site.exhibit());
+  expect_in("languages = [\"en\", \"ko\", \"de\"] ", text);
+  expect_in("de = \"[Ein Topf]\"\n", text);
+  expect_in("credit = \"it\\\"s \\\\ ours\" ", text);
+  const Outcome minus = in(site, "set config/devices/polhem.toml arm.parked '[-5, 0, 100]'");
+  EXPECT_EQ(minus.exit_code, 0) << minus.err;
+  EXPECT_EQ(in(site, "set config/devices/polhem.toml arm.parked -5,0,101").exit_code, 0);
+  expect_in("parked = [-5,0,101] ", content(site / "config/devices/polhem.toml"));
 }
 
 TEST(set_command, an_empty_value_is_a_value) {
