@@ -115,7 +115,7 @@ void TomlPlaces::read_list(const Path& path, std::size_t statement) {
   ++depth_;
   for (std::size_t n = 1; !done(); ++n) {
     skip_between();
-    if (at() == ']') break;
+    if (done() || at() == ']') break;
     const std::size_t before = at_, first = values_.size();
     Path element = path;
     element.push_back(std::to_string(n));
@@ -143,7 +143,7 @@ void TomlPlaces::read_inline_table(const Path& path, std::size_t statement) {
   ++depth_;
   while (!done()) {
     skip_between();
-    if (at() == '}') break;
+    if (done() || at() == '}') break;
     const std::size_t before = at_;
     Path inner = path;
     for (std::string& name : read_key()) inner.push_back(std::move(name));
