@@ -56,7 +56,7 @@ void Moisture::soak_or_dry(const MoistureDef& def, const Clay& clay, double seco
   air_ = def.air;
   mean_ = air_ + (mean_ - air_) * faded;
   decay_ *= faded;
-  // Before the factor loses digits; once in a quarter of an hour.
+  // Before the factor loses digits; once in 14 time constants.
   if (decay_ < 1e-6) {
     for (double& wet : row_) wet *= decay_;
     decay_ = 1.0;

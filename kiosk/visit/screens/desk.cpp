@@ -8,10 +8,6 @@
 
 namespace onggi::screens {
 
-namespace {
-constexpr double kWallIsThere = 0.85;  // of the vessel's height, of a pot that is built of coils
-}  // namespace
-
 void Desk::forget() {
   std::optional<VisitNotes> counted =
       notes.finish(now, std::exchange(leaves, VisitNotes::End::back));
@@ -121,7 +117,7 @@ score::Score Desk::judged(const ShelfCard& answered, const Profile& pot) const {
   return score::judge(answered.target, pot, !rubric.size_counts, true_scale, rubric, true);
 }
 
-void Desk::judge(const ShelfCard& answered) {
+void Desk::judge(const ShelfCard& answered, bool lacks_rings) {
   made = world.wheel->clay.profile();
   const settings::Rubric& rubric = world.exhibit->rubric;
   kept = Kept::not_asked;
@@ -138,8 +134,7 @@ void Desk::judge(const ShelfCard& answered) {
   }
   score = judged(answered, made);
   // Of a wall that is not there, no part is too wide.
-  if (wheel().coil && made.height() < kWallIsThere * answered.target.height())
-    score.try_next = {{"remark.more_rings", {}}};
+  if (lacks_rings) score.try_next = {{"remark.more_rings", {}}};
   notes.judged(score.points);
 }
 

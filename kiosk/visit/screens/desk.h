@@ -128,7 +128,8 @@ class Desk {
   /// The score of `pot` as an answer to `card`'s vessel.
   score::Score judged(const ShelfCard& card, const Profile& pot) const;
   /// Stores the pot on the wheel, which is paused, as the visitor's answer to `card`.
-  void judge(const ShelfCard& card);
+  /// `lacks_rings`: it is built of coils, and has not all of them.
+  void judge(const ShelfCard& card, bool lacks_rings);
   /// A hand of the visitor is at the pot: from now on there is something to lose.
   void touch_pot();
   bool unkept() const { return touched && kept == Kept::not_asked; }

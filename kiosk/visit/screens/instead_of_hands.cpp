@@ -66,7 +66,7 @@ double InsteadOfHands::strength_at(double height) const {
   if (!moisture) return 1.0;
   const ClayView& clay = desk_.world.wheel->clay;
   const auto rows = static_cast<double>(clay.wet.size());
-  const double share = std::clamp(height / clay.rim_height(), 0.0, 1.0);
+  const double share = std::clamp(height / std::max(clay.rim_height(), 1e-3), 0.0, 1.0);
   const double wet = clay.wet.empty()
                          ? desk_.status.feedback.wetness
                          : double{clay.wet[static_cast<std::size_t>(share * (rows - 1.0))]};

@@ -340,7 +340,7 @@ class KilnScreen final : public Screen {
   PotPicture picture_;
   MovedLight light_;
   double window_ = view::kWindowLeft;  // that the page wants
-  std::vector<bool> hides_;            // by glaze: the drawing; empty for a bare pot
+  std::vector<bool> hides_;            // by glaze: the drawing; empty for a plain pot
   double dried_ = 0, fired_ = 0, reglazed_ = 1;
   int shown_ = -1, before_ = -1;            // glazes on the pot
   view::Camera seen_;                       // that sees the pot at the size of its surface,

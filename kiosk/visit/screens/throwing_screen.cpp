@@ -220,6 +220,7 @@ class Throwing final : public Screen {
       let_go();
       clay_.renewed(desk);
       desk.world.wheel_commands->renew();
+      fire_.hang(false, desk);
       if (coil().built()) take_up(CoilAtWheel::kTool);
     } else if (control == "throw.restore") {
       let_go();
@@ -448,7 +449,9 @@ class Throwing final : public Screen {
     }
     held_ = which;
     instead_.take_up(name, speed_);
-    if (instead) return set_water(false);  // its button is charcoal's now
+    // Water's button and charcoal's take each other's place: what has no button is off.
+    if (instead) return set_water(false);
+    fire_.hang(false, desk);
     if (which == 0) return hands_.take_up({wheel.palm, wheel.palm_radius}, fine);
     const SceneForVisitor::Tool& tool = wheel.tools[which - 1];
     hands_.take_up({tool.tool, tool.reach, tool.below}, fine);
@@ -491,7 +494,7 @@ class Throwing final : public Screen {
     desk.world.wheel_commands->pause(true);
     done_ = !desk.world.wheel_commands->refresh_every_row();
     if (done_) return;
-    desk.judge(*card);
+    desk.judge(*card, coil().lacks_a_ring());
     desk.go(ScreenId::result);
   }
 

@@ -92,7 +92,7 @@ TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {
   EXPECT_EQ(names,
             "base; + moisture; + walls; + propagation; + springback; + smoothing; + wobble; "
             "+ slump (and volume); + volume; + building (and volume); + beating (and volume); + "
-            "friction; + kiln; "
+            "prints (and beating) (and volume); + friction; + kiln; "
             "built.toml; first_touch.toml; master.toml; "
             "paper.toml; studio.toml; all; ");
 }
@@ -100,7 +100,7 @@ TEST(Lab, ThePriceListNamesEveryEffectAndEveryScene) {
 TEST(Lab, ThePriceListGoesToStandardOutputWhereThatIsAskedFor) {
   const Outcome run = onggi("lab effects --quick --grid 60x48 --json -");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(nlohmann::json::parse(run.out).at("prices").size(), 19u);
+  EXPECT_EQ(nlohmann::json::parse(run.out).at("prices").size(), 20u);
   EXPECT_NE(run.err.find("p99.9"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists("-"));
 }

@@ -44,6 +44,11 @@ TEST(FireButton, StandsWhereWaterDoesWhileACoilOrAPaddleIsInTheHand) {
   EXPECT_FALSE(v.there("throw.fire"));
   v.touch("throw.water");
   ASSERT_TRUE(v.wheel_commands.waters.back());
+  v.take(2);
+  v.touch("throw.fire");
+  v.take(0);
+  EXPECT_FALSE(v.hangs()) << "charcoal neither";
+  v.touch("throw.water");
   for (const int held : {1, 2}) {
     v.take(held);
     EXPECT_TRUE(v.there("throw.fire"));
@@ -93,6 +98,11 @@ TEST(FireButton, WhoLetsThePaddleWorkByItselfNeedNotAskForIt) {
 
 TEST(FireButton, GoesWithThePot) {
   AtAWetWall v;
+  v.take(2);
+  v.touch("throw.fire");
+  v.touch("throw.wheel");
+  v.touch("throw.renew");
+  EXPECT_FALSE(v.hangs()) << "over new clay";
   v.take(2);
   v.touch("throw.fire");
   ++v.status.scene_serial;

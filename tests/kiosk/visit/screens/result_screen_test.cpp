@@ -82,6 +82,17 @@ TEST(Result, APotOfTooFewRingsIsToldToHaveMore) {
   v.frames(1);
   EXPECT_NE(words_in(v.frame).find("lay more rings"), std::string::npos) << words_in(v.frame);
   EXPECT_EQ(arrows(v), 0u) << "no part of it is too wide";
+  // All rings are laid; a pot that is not yet beaten is lower than its vessel.
+  Visitor laid;
+  const double wide = laid.clay.mean_outer(laid.clay.rows() - 1), high = laid.clay.rim_height();
+  for (ShelfCard& card : laid.shelf) {
+    card.wheel.coil = 0.013;
+    card.wheel.beating.emplace();
+    card.target.points = {{0.0, wide, 0.0}, {1.3 * high, wide, wide - 0.003}};
+  }
+  laid.make_result();
+  laid.frames(1);
+  EXPECT_EQ(words_in(laid.frame).find("lay more rings"), std::string::npos) << words_in(laid.frame);
 }
 
 TEST(Result, APotThatIsNotKeptIsNotLeftWithoutAQuestion) {
