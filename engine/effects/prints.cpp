@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/effects/effect_list.h"
 #include "engine/math/portable.h"
@@ -87,8 +88,8 @@ class Heights {
   std::vector<double> below_;
 };
 
-std::uint64_t step_of(const StageWork& work) {
-  return work.tick.history != nullptr ? work.tick.history->depth() : 0;
+std::uint32_t step_of(const StageWork& work) {
+  return work.tick.history != nullptr ? static_cast<std::uint32_t>(work.tick.history->depth()) : 0;
 }
 
 // -pi .. pi.
@@ -108,7 +109,8 @@ void Prints::note(const Mark& mark) noexcept {
     --count_;
     live_ = std::min(live_, count_);
   }
-  at(count_++) = mark;
+  at(count_) = mark;
+  at(count_++).name = ++names_;
   ++live_;
   for (std::size_t& back : back_)
     if (back > 0 && ++back > count_) back = 0;
@@ -117,6 +119,73 @@ void Prints::note(const Mark& mark) noexcept {
 void Prints::count_live() noexcept {
   for (live_ = 0; live_ < count_ && at(count_ - 1 - live_).kind != kFreshLump;) ++live_;
   back_.fill(0);
+}
+
+void Prints::note_cut(int j, double gone) noexcept {
+  if (live_ == 0) return;
+  if (first_cut_ == end_cut_) first_cut_ = end_cut_ = j;
+  // Volume comes from the foot up.
+  for (; end_cut_ <= j; ++end_cut_) cut_[static_cast<std::size_t>(end_cut_)] = {};
+  cut_[static_cast<std::size_t>(j)].gone = gone;
+}
+
+// A row is cut evenly from its foot to its top: a place within it keeps its share of the row.
+void Prints::lower(const StageWork& work) noexcept {
+  if (first_cut_ == end_cut_) return;
+  keep_places(step_of(work));
+  Cut foot;
+  for (int j = 0; j < first_cut_; ++j) foot.before += work.volume->of_row(j);
+  const std::span<Cut> rows = std::span(cut_).subspan(
+      static_cast<std::size_t>(first_cut_), static_cast<std::size_t>(end_cut_ - first_cut_));
+  Cut below = foot;
+  for (int j = first_cut_; j < end_cut_; ++j) {
+    Cut& row = cut_[static_cast<std::size_t>(j)];
+    row.before = below.before + work.volume->of_row(j) + row.gone;
+    row.gone += below.gone;
+    below = row;
+  }
+  const auto gone_below = [&](double place) {
+    const auto row = std::ranges::lower_bound(rows, place, {}, &Cut::before);
+    if (row == rows.end()) return rows.back().gone;
+    const Cut& under = row == rows.begin() ? foot : *std::prev(row);
+    const double share = (place - under.before) / (row->before - under.before);
+    return under.gone + std::max(share, 0.0) * (row->gone - under.gone);
+  };
+  for (std::size_t n = count_ - live_; n < count_; ++n) {
+    Mark& mark = at(n);
+    mark.low -= gone_below(mark.low);
+    mark.high -= gone_below(mark.high);
+  }
+  first_cut_ = end_cut_ = 0;
+}
+
+// Of whole steps, as many as there is room for.
+void Prints::keep_places(std::uint32_t step) noexcept {
+  const auto was = [this](std::size_t n) -> Was& { return was_[(first_was_ + n) % kMostCut]; };
+  if (was_count_ > 0 && was(was_count_ - 1).step == step) return;
+  while (was_count_ + live_ > kMostCut) {
+    const std::uint32_t oldest = was(0).step;
+    for (; was_count_ > 0 && was(0).step == oldest; --was_count_)
+      first_was_ = (first_was_ + 1) % kMostCut;
+  }
+  for (std::size_t n = count_ - live_; n < count_; ++n)
+    if (const Mark& mark = at(n); mark.step < step)
+      was(was_count_++) = {mark.low, mark.high, mark.name, step};
+}
+
+void Prints::put_back(std::uint32_t step) noexcept {
+  for (; was_count_ > 0; --was_count_) {
+    const Was& was = was_[(first_was_ + was_count_ - 1) % kMostCut];
+    if (was.step < step) return;
+    std::size_t n = 0;
+    for (std::size_t end = count_; n < end;) {
+      const std::size_t middle = (n + end) / 2;
+      at(middle).name < was.name ? n = middle + 1 : end = middle;
+    }
+    if (n == count_ || at(n).name != was.name) continue;
+    at(n).low = was.low;
+    at(n).high = was.high;
+  }
 }
 
 void Prints::strike(const StageWork& work, const Print& print) noexcept {
@@ -203,11 +272,12 @@ std::vector<Print> Prints::seen(const Clay& clay, const Volume& volume) const {
 void Prints::forget(Clay&, const Laid& laid) noexcept {
   if (laid.fresh) {
     Mark mark;
-    mark.step = laid.step;
+    mark.step = static_cast<std::uint32_t>(laid.step);
     mark.kind = kFreshLump;
     note(mark);
   } else {
     while (count_ > 0 && at(count_ - 1).step >= laid.step) --count_;
+    put_back(static_cast<std::uint32_t>(laid.step));
   }
   count_live();
 }

@@ -54,15 +54,24 @@ struct Print {
 namespace effects {
 
 /// Keeps the blows and the smoothing of a pot, in their order. A place is told by the clay below
-/// it, which no blow, no hand and no row that divides changes; only where a trimmer took clay, what
-/// lies above comes down by that. Keeps the last kMost. Allocates when made, and in seen().
+/// it, which no blow, no hand and no row that divides changes. What a tool cuts off below it is
+/// taken off that. Keeps the last kMost. Undo brings back what cuts changed, as far as kMostCut
+/// places of the last strokes go. Allocates when made, and in seen().
 class Prints {
  public:
   static constexpr std::size_t kMost = 2048;
+  static constexpr std::size_t kMostCut = 4 * kMost;
   static constexpr bool kAsksMoves = false;
   static bool wanted(const Effects& def);
-  static Prints make(const Effects&, Clay&) { return Prints(); }
-  Prints() : marks_(kMost) {}
+  static Prints make(const Effects&, Clay& clay) { return Prints(clay.room()); }
+  /// For a clay of at most `rows` rows.
+  explicit Prints(int rows) : marks_(kMost), cut_(static_cast<std::size_t>(rows)), was_(kMostCut) {}
+
+  /// Stage 6.7: a tool cut `gone` m^3 off row `j`.
+  void note_cut(int j, double gone) noexcept;
+  /// Takes what note_cut() was told off the clay below the prints. work.volume is without it.
+  /// Nothing without a cut; else O(rows + prints x log(rows cut)).
+  void lower(const StageWork& work) noexcept;
 
   /// A blow left `print` on the clay as it is in this tick. O(rows).
   void strike(const StageWork& work, const Print& print) noexcept;
@@ -80,17 +89,29 @@ class Prints {
  private:
   static constexpr std::uint8_t kFreshLump = 255;
   struct Mark {
-    std::uint64_t step = 0;         // clay::History::depth()
+    std::uint32_t step = 0;         // clay::History::depth()
+    std::uint32_t name = 0;         // in the order in which they came
     double low = 0.0, high = 0.0;   // m^3 of clay below
     float from = -1.0f, to = 1.0f;  // of the face
     float angle = 0.0f, half = 0.0f, wide = 0.0f, tall = 0.0f, deep = 0.0f;
     std::uint8_t kind = 0;  // of Print, or kFreshLump
     WallSide side = WallSide::outside;
   };
+  struct Cut {
+    double gone = 0.0;    // m^3, cut off since lower(); there: off all rows up to this one
+    double before = 0.0;  // m^3: the clay below the row's top before that
+  };
+  // Where a mark was before the first cut of a step.
+  struct Was {
+    double low = 0.0, high = 0.0;
+    std::uint32_t name = 0, step = 0;
+  };
   const Mark& at(std::size_t n) const { return marks_[(first_ + n) % kMost]; }
   Mark& at(std::size_t n) { return marks_[(first_ + n) % kMost]; }
   void note(const Mark& mark) noexcept;
   void count_live() noexcept;
+  void keep_places(std::uint32_t step) noexcept;
+  void put_back(std::uint32_t step) noexcept;
   bool goes_on(Mark& last, const Mark& more) const noexcept;
 
   std::vector<Mark> marks_;  // a ring
@@ -98,6 +119,11 @@ class Prints {
   std::size_t live_ = 0;                        // of count_, those of this lump
   std::array<std::size_t, kMostHands> back_{};  // where a hand's last mark lies, from the end: 1 is
                                                 // the last one; 0: it smooths nothing
+  std::uint32_t names_ = 0;
+  std::vector<Cut> cut_;             // of row j
+  int first_cut_ = 0, end_cut_ = 0;  // rows
+  std::vector<Was> was_;             // a ring
+  std::size_t first_was_ = 0, was_count_ = 0;
 };
 
 }  // namespace effects

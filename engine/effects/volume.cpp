@@ -80,6 +80,11 @@ Volume::Volume(Clay& clay, const Limits& limits) : limits_(limits) {
   noted_.assign(kSteps, sum(clay));
 }
 
+void Volume::run(const StageWork& work) noexcept {
+  keep(work.clay, work.tick.seconds, work.prints);
+  if (work.prints != nullptr) work.prints->lower(work);
+}
+
 bool Volume::wanted(const Effects& def) { return def.volume.has_value(); }
 
 // A pot that is built may get as tall as its coils.
@@ -110,7 +115,7 @@ double Volume::widen(Clay& clay, int j, double area, double height) noexcept {
 // element by element, and a pressed rim brings a tenth of all rows. Rows beyond a call's budget
 // stay on the list. No clay is lost meanwhile: a row that may get no higher still gets higher once,
 // and is rigid until its turn.
-void Volume::keep(Clay& clay, double seconds) noexcept {
+void Volume::keep(Clay& clay, double seconds, Prints* prints) noexcept {
   RowAreas& areas = *clay.areas();
   const int most_widened = static_cast<int>(std::ceil(
       seconds * std::max(kElementsPerSecond / clay.stride(), clay.rows() / kLongestWait)));
@@ -139,7 +144,9 @@ void Volume::keep(Clay& clay, double seconds) noexcept {
     // is a row that is asked for more than it has: it keeps a little that its neighbours also get.
     const double given = areas.take_given(j) * now;
     volume_[n] = std::max(volume_[n] - given, kNeverEmpty * volume_[n]);
-    volume_[n] -= cut_off(volume_[n], areas.take_cut(j), area, now);
+    const double gone = cut_off(volume_[n], areas.take_cut(j), area, now);
+    if (gone > 0.0 && prints != nullptr) prints->note_cut(j, gone);
+    volume_[n] -= gone;
     const bool down = pressed_down(clay, j);
     const double most = down ? now : std::min(thickest, now + std::max(headroom, 0.0));
     if (down || volume_[n] / area > most) {

@@ -41,14 +41,15 @@ class Volume {
   static constexpr bool kAsksMoves = false;
   static bool wanted(const Effects& def);
   static Volume make(const Effects& def, Clay& clay);
-  void run(const StageWork& work) noexcept { keep(work.clay, work.tick.seconds); }
+  void run(const StageWork& work) noexcept;
 
   /// Stage 6 of the pipeline. Rows that lost area since the last call get higher, as far as they
   /// may. Rows that were pressed down, or may not get higher, get wider: 16384 elements a
   /// millisecond or a hundredth of all rows per call, the rest in later calls, within 0.1 s. Clay
-  /// that a tool cut off is gone. O(rows changed, rows above them); O(sectors) for each row that
-  /// gets wider, and for one in 64 of the others, which is measured again.
-  void keep(Clay& clay, double seconds) noexcept;
+  /// that a tool cut off is gone; `prints`, if any, are told. O(rows changed, rows above them);
+  /// O(sectors) for each row that gets wider, and for one in 64 of the others, which is measured
+  /// again.
+  void keep(Clay& clay, double seconds, Prints* prints = nullptr) noexcept;
   /// `clay` was laid anew: measures it again, `element_budget` elements a call (at least a row).
   /// True when done.
   bool measure_some(Clay& clay, int element_budget) noexcept;

@@ -142,6 +142,54 @@ TEST(Prints, TheClayTakesThemAlongAsItGetsHigher) {
   EXPECT_GT(first.low, share * before + 0.003);
 }
 
+// A trimmer goes from `low` to `high` and 2 mm in, on a turning wheel.
+void trim(Scene& scene, double low, double high, double seconds) {
+  Hands hands;
+  hands.wheel_speed = 18.0;
+  for (std::uint8_t n = 0; n < scene.def().tools.size(); ++n)
+    if (scene.def().tools[n].name == "loop_trimmer") hands.hand[0].tool = n + 1;
+  ASSERT_GT(hands.hand[0].tool, 0);
+  hands.hand[0].active = true;
+  hands.hand[0].side = SideWish::outside;
+  const int ticks = static_cast<int>(1000 * seconds);
+  for (int n = 0; n < ticks; ++n) {
+    hands.hand[0].position = {kOuter + 0.006, low + (high - low) * n / ticks, 0.0};
+    scene.step(hands, 0.001);
+  }
+  hands.hand[0].active = false;
+  wait(scene, 1.0);
+}
+
+TEST(Prints, WhatATrimmerTakesBelowLeavesAPrintOnItsClayAndUndoDoesToo) {
+  Scene scene = made(wall());
+  strike(scene, paddle(0.09, 0.0));
+  strike(scene, paddle(0.05, 3.0));
+  wait(scene, 1.0);
+  const double clay = scene.clay().volume(), rim = scene.clay().rim_height();
+  const std::vector<Print> before = scene.prints();
+  trim(scene, 0.02, 0.04, 2.5);
+  trim(scene, 0.04, 0.06, 2.5);
+  ASSERT_LT(scene.clay().volume(), 0.95 * clay);
+  const std::vector<Print> after = scene.prints();
+  const double up = scene.clay().rim_height() - rim;
+  ASSERT_NEAR(up, 0.0, 1e-3);
+  for (std::size_t n = 0; n < before.size(); ++n) {
+    // No row above the trimmer moved but with the rim.
+    const double near = before[n].low > 0.069 ? 1e-5 : 1e-3;
+    EXPECT_NEAR(after[n].low, before[n].low + up, near) << n;
+    EXPECT_NEAR(after[n].high, before[n].high + up, near) << n;
+  }
+  undo(scene);
+  undo(scene);
+  ASSERT_NEAR(scene.clay().volume() / clay, 1.0, 1e-6);
+  const std::vector<Print> again = scene.prints();
+  ASSERT_EQ(again.size(), before.size());
+  for (std::size_t n = 0; n < before.size(); ++n) {
+    EXPECT_NEAR(again[n].low, before[n].low, 2e-6) << n;
+    EXPECT_NEAR(again[n].high, before[n].high, 2e-6) << n;
+  }
+}
+
 TEST(Prints, NoClayMovesByThem) {
   Scene kept = made(wall());
   SceneDef without = wall();
@@ -221,7 +269,7 @@ TEST(Prints, TheOldestGoWhereThereAreTooMany) {
   Clay clay = std::move(*Clay::create(def.clay));
   clay.keep_areas();
   Volume volume(clay);
-  Prints prints;
+  Prints prints(clay.room());
   RowTick tick;
   const StageWork work{def, clay, tick, &volume};
   Print print;
