@@ -49,13 +49,25 @@ Opening opening(const Profile& pot, const Profile& made, const Profile& target) 
   }
   return most;
 }
+bool needs_a_wall(DoneWhen what) {
+  return what == DoneWhen::dried || what == DoneWhen::ringing || what == DoneWhen::beaten;
+}
 /// True where the line asks for it, and the scene has it. To open a lump that is wider than its
 /// vessel everywhere would be wrong.
 bool asked_for(DoneWhen what, const Desk& desk, const Profile* target, const Profile& made) {
-  if (what == DoneWhen::dried || what == DoneWhen::ringing || what == DoneWhen::beaten)
-    return desk.wheel().beating.has_value();
+  if (needs_a_wall(what)) return desk.wheel().beating.has_value();
   if (what != DoneWhen::opened || target == nullptr || made.points.empty()) return true;
   return opening(made, made, *target).asked > 0;
+}
+bool has_a_ring(const Desk& desk, const Profile& made) {
+  return made.height() > desk.wheel().floor + 0.5 * desk.wheel().coil.value_or(0.0);
+}
+/// To the step that asks for `what`, if there was one.
+const LessonStep* led_back(Desk& desk, DoneWhen what) {
+  const auto& steps = *desk.lesson();
+  for (std::size_t n = 0; n < desk.lesson_step(); ++n)
+    if (steps[n].until == what) desk.lesson_step() = n;
+  return &steps[desk.lesson_step()];
 }
 }  // namespace
 
@@ -93,9 +105,8 @@ void LessonLine::begin(const Profile& made) {
 
 void LessonLine::watch_built(const Desk& desk, const BuiltPot& built, const Profile& made) {
   if (made.points.empty()) return;
-  if (made.height() > desk.wheel().floor + 0.5 * desk.wheel().coil.value_or(0.0))
-    note(DoneWhen::laid);
-  if (!built.lacks_a_ring) note(DoneWhen::built);
+  note(DoneWhen::laid, has_a_ring(desk, made));
+  note(DoneWhen::built, !built.lacks_a_ring);
   if (!built.lacks_a_ring && !built.to_beat) note(DoneWhen::beaten);
   const Feedback& felt = desk.status.feedback;
   if (FireButton::wet(desk)) return;
@@ -145,7 +156,12 @@ void LessonLine::update(Desk& desk, double dt, const Profile* target, const Prof
   if (step == nullptr) return;
   if (alone) watch(desk, dt, target, made);
   if (built) watch_built(desk, *built, made);
-  in_step_ += dt;
+  // Blows need a wall, and a wall a first ring. Who has none, or took it away, is led back to it.
+  // Until then no time is up: there is nothing else to do.
+  const bool lacks = built && built->lacks_a_ring && !made.points.empty();
+  if (lacks && needs_a_wall(step->until)) step = led_back(desk, DoneWhen::built);
+  if (lacks && !has_a_ring(desk, made)) step = led_back(desk, DoneWhen::laid);
+  in_step_ = lacks ? 0 : in_step_ + dt;
   const bool at_work = apart_ <= kStrokeEnds;
   while (step != nullptr && (has(step->until) || (in_step_ > step->after && !at_work) ||
                              !asked_for(step->until, desk, target, made))) {

@@ -36,7 +36,10 @@ class LessonLine {
   bool has(content::DoneWhen what) const {
     return (done_ >> static_cast<unsigned>(what) & 1u) != 0;
   }
-  void note(content::DoneWhen what) { done_ |= 1u << static_cast<unsigned>(what); }
+  void note(content::DoneWhen what, bool done = true) {
+    const std::uint32_t bit = 1u << static_cast<unsigned>(what);
+    done_ = done ? done_ | bit : done_ & ~bit;
+  }
 
   std::uint32_t done_ = 0;            ///< Bits by DoneWhen, since the visitor came to this clay.
   Profile began_with_;                ///< The clay then.

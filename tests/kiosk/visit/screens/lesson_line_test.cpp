@@ -309,6 +309,32 @@ TEST(LessonLine, SaysFirstWhatKeepsAStepFromBeingDone) {
   EXPECT_TRUE(says(v, "then “Coil”")) << words_in(v.frame);
 }
 
+// It spoke of rings over a bare floor, and of blows where no wall was.
+TEST(LessonLine, WhoHasNoRingYetOrTookThemAwayIsToldToLayThem) {
+  Builder v;
+  const auto floor = [&v](double share) {
+    for (ShelfCard& card : v.shelf) card.wheel.floor = share * v.clay.rim_height();
+  };
+  floor(1.0);
+  v.throw_a_pot();
+  v.frames(v.build_lesson[0].after + 5);
+  EXPECT_TRUE(says(v, "edge of the clay")) << "it is not hurried";
+  floor(0.5);
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "Ring on ring"));
+  v.set_all(0.3);
+  for (ShelfCard& card : v.shelf)
+    for (ProfilePoint& p : card.target.points) p.outer += 0.02;
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "Dull blows"));
+  v.set_all(Builder::kTall);
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "Ring on ring")) << "rings were undone";
+  floor(1.0);
+  v.frames(0.5);
+  EXPECT_TRUE(says(v, "edge of the clay")) << "all of them";
+}
+
 TEST(LessonLine, AsksForNoBlowsWhereTheSceneHasNoPaddle) {
   Builder v;
   for (ShelfCard& card : v.shelf) {
