@@ -188,17 +188,22 @@ void Prints::put_back(std::uint32_t step) noexcept {
   }
 }
 
-void Prints::strike(const StageWork& work, const Print& print) noexcept {
-  // What of the face lies on the wall.
-  const double low = std::max(print.low, 0.0), high = std::min(print.high, work.clay.rim_height());
-  if (!(print.deep > 0.0) || !(high > low) || work.volume == nullptr) return;
-  const double face = print.high - print.low;
-  Mark mark;
+// Puts `mark` where of a face from `low` to `high` lies on the wall; false if nothing does.
+bool Prints::place(const StageWork& work, double low, double high, Mark& mark) noexcept {
+  const double face = high - low;
+  const double from = std::max(low, 0.0), to = std::min(high, work.clay.rim_height());
+  if (!(to > from) || work.volume == nullptr) return false;
   mark.step = step_of(work);
-  const Below below = clay_below(work.clay, *work.volume, low, high);
+  const Below below = clay_below(work.clay, *work.volume, from, to);
   mark.low = below.low, mark.high = below.high;
-  mark.from = static_cast<float>(-1.0 + 2.0 * (low - print.low) / face);
-  mark.to = static_cast<float>(1.0 - 2.0 * (print.high - high) / face);
+  mark.from = static_cast<float>(-1.0 + 2.0 * (from - low) / face);
+  mark.to = static_cast<float>(1.0 - 2.0 * (high - to) / face);
+  return true;
+}
+
+void Prints::strike(const StageWork& work, const Print& print) noexcept {
+  Mark mark;
+  if (!(print.deep > 0.0) || !place(work, print.low, print.high, mark)) return;
   mark.angle = static_cast<float>(print.angle);
   mark.half = static_cast<float>(print.half);
   mark.wide = static_cast<float>(print.wide);
@@ -223,6 +228,8 @@ bool Prints::goes_on(Mark& last, const Mark& more) const noexcept {
     last.half = std::min(last.half + 0.5f * beyond, kWhole);
     last.angle = nearest_turn(last.angle + (off < 0.0f ? -0.5f : 0.5f) * beyond);
   }
+  if (more.low < last.low) last.from = more.from;
+  if (more.high > last.high) last.to = more.to;
   last.low = low;
   last.high = high;
   return true;
@@ -232,14 +239,10 @@ void Prints::run(const StageWork& work) noexcept {
   for (std::size_t n = 0; n < back_.size(); ++n) {
     const HandThere& hand = work.tick.hand[n];
     const double out = length(Vec2{hand.at.x, hand.at.z});
-    if (live_ == 0 || !(hand.normal > 0.0) || !hand.on_wall || !(out > kFingertip) ||
-        work.volume == nullptr)
-      continue;
+    if (live_ == 0 || !(hand.normal > 0.0) || !hand.on_wall || !(out > kFingertip)) continue;
     const double up = std::max(hand.smooths, kFingertip);
     Mark mark;
-    mark.step = step_of(work);
-    const Below below = clay_below(work.clay, *work.volume, hand.at.y - up, hand.at.y + up);
-    mark.low = below.low, mark.high = below.high;
+    if (!place(work, hand.at.y - up, hand.at.y + up, mark)) continue;
     mark.angle = static_cast<float>(portable::atan2(hand.at.z, hand.at.x));
     mark.half = static_cast<float>(kFingertip / out);
     mark.kind = Print::smoothed;

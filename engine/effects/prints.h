@@ -108,6 +108,7 @@ class Prints {
   };
   const Mark& at(std::size_t n) const { return marks_[(first_ + n) % kMost]; }
   Mark& at(std::size_t n) { return marks_[(first_ + n) % kMost]; }
+  static bool place(const StageWork& work, double low, double high, Mark& mark) noexcept;
   void note(const Mark& mark) noexcept;
   void count_live() noexcept;
   void keep_places(std::uint32_t step) noexcept;

@@ -228,6 +228,19 @@ TEST(Prints, AHandThatRestsWhileThePotTurnsSmoothsARingAndOneThatGoesUpAStack) {
   EXPECT_NEAR(high, 0.084, 0.002);
 }
 
+TEST(Prints, WhatAHandSmoothsEndsAtTheRimAsTheWallDoes) {
+  Scene scene = made(wall());
+  strike(scene, paddle(0.11, 0.0));
+  const double at = scene.clay().rim_height() - 0.003;
+  smooth(scene, at, at, 0.0, 0.3, 8.0);
+  const Print hand = scene.prints().back();
+  ASSERT_EQ(hand.kind, Print::smoothed);
+  EXPECT_NEAR(hand.high, scene.clay().rim_height(), 1e-6);
+  EXPECT_NEAR(hand.from, -1.0, 1e-6);
+  EXPECT_NEAR(hand.to, 0.75, 0.05) << "the rim is 3 mm above its middle, of 4";
+  EXPECT_NEAR((hand.high - hand.low) / (hand.to - hand.from), 0.004, 2e-4);
+}
+
 TEST(Prints, UndoTakesBackTheBlowsOfAStrokeAndItsSmoothing) {
   Scene scene = made(wall());
   strike(scene, paddle(0.06, 0.0));
