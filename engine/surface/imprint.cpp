@@ -61,12 +61,22 @@ class Pattern {
 
  private:
   static int cell(double repeats) {
-    return std::min(static_cast<int>((repeats - std::floor(repeats)) * kAcross), kAcross - 1);
+    const double part = repeats - std::floor(repeats);
+    return part >= 0.0 ? std::min(static_cast<int>(part * kAcross), kAcross - 1) : 0;  // not NaN
   }
   bool round_;
   double x_, y_;  // repeats a metre
   std::array<float, std::size_t{kAcross} * kAcross> deep_{};
 };
+
+// Numbers that a place on a pot can have.
+bool usable(const Impression& left) {
+  constexpr double kMost = 1e3;  // m, rad
+  for (const double each : {left.low, left.high, left.from, left.to, left.angle, left.half,
+                            left.wide, left.tall, left.deep, left.tilt})
+    if (!(std::fabs(each) <= kMost)) return false;
+  return true;
+}
 
 // One side of the wall: its rows of cells, from the one nearest to the foot up.
 class Side {
@@ -96,7 +106,9 @@ class Side {
     const double across = left.half / (2.0 * kPi) * kSectors;
     const auto from = static_cast<int>(std::ceil(centre - across));
     const auto to = std::min(static_cast<int>(std::floor(centre + across)), from + kSectors - 1);
-    const double whole = left.deep / depth;
+    const double in = std::clamp(0.0, left.from, left.to);
+    const double most = face(0.0, in);
+    const double whole = most > 0.0 ? left.deep / (depth * most) : 0.0;
     const double c = portable::cos(left.tilt), s = portable::sin(left.tilt);
     for (int row = first; row < end; ++row) {
       const double v = left.from + (height(row) - left.low) / wall * face_of;
@@ -164,7 +176,8 @@ bool imprint(Surface& surface, std::span<const Impression> left, const ImprintDe
       continue;
     Side side(surface, inside);
     for (std::size_t n = left.size(); n-- > 0;)
-      side.under(left[n], patterns[static_cast<std::size_t>(left[n].face)], def.depth);
+      if (usable(left[n]))
+        side.under(left[n], patterns[static_cast<std::size_t>(left[n].face)], def.depth);
     any = side.write(surface, def.depth) || any;
   }
   return any;

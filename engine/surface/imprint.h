@@ -20,7 +20,7 @@ struct Impression {
   double angle = 0.0, half = 0.0;  ///< rad: its middle, and half its width, at most pi.
   double wide = 0.0, tall = 0.0;   ///< m: half the face round the pot and upwards, before the clay
                                    ///< under it stretched.
-  double deep = 0.0;               ///< m: how far its middle went in.
+  double deep = 0.0;               ///< m: how far it went in where that is nearest to its middle.
   double tilt = 0.0;  ///< rad: by which the face was turned on the wall, from the sectors' way up.
 };
 
@@ -33,8 +33,9 @@ struct ImprintDef {
 
 /// Prints all of `left` on a bare `surface`, which then was born so: it is no step of the undo. The
 /// last of `left` lies over the others: where it went in by `depth`, it wiped out what was there.
-/// True if it changed a cell. The same bits on every machine. Allocates; 0.1 to 0.3 s for a jar
-/// that was beaten all over.
+/// An impression with a number that is not finite or beyond 1000 is left out. True if it changed a
+/// cell. The same bits on every machine. Allocates. O(cells + cells under each impression): 1.1 s
+/// were measured for 2048 whole prints.
 bool imprint(Surface& surface, std::span<const Impression> left, const ImprintDef& def);
 
 }  // namespace onggi::surface

@@ -179,6 +179,94 @@ TEST(Imprint, AFaceThatReachesOverTheRimIsCutOffThere) {
   EXPECT_EQ(relief_at(over, 3, 1), 0);
 }
 
+TEST(Imprint, ATiltTurnsTheFaceFromTheSectorsWayTowardsUp) {
+  // By half a right angle: a cord goes up as it goes back round, against the sectors.
+  for (const int way : {1, -1}) {
+    Surface surface = cylinder();
+    Impression left = blow(Impression::cord);
+    left.tilt = way * portable::kPi / 4.0;
+    imprint(surface, {&left, 1}, {0.002, 0.003, 3e-4});
+    int along = 0, across = 0;
+    for (int k = -12; k <= 12; ++k)
+      along += std::abs(relief_at(surface, -way * k, k)),
+          across += std::abs(relief_at(surface, way * k, k));
+    EXPECT_LT(along, across / 2) << way << ": along the ridge there is nothing";
+  }
+}
+
+TEST(Imprint, WhereTheClayStretchedThePatternDid) {
+  Surface surface = cylinder();
+  Impression left = blow(Impression::grid);
+  // It struck at half the size: bars every 2 mm lie 4 mm apart now, round and up.
+  left.wide = left.tall = 0.010;
+  imprint(surface, {&left, 1}, {0.002, 0.003, 3e-4});
+  for (int k = -2; k <= 2; ++k) {
+    EXPECT_EQ(relief_at(surface, 16 * k, 8), 0) << k;
+    EXPECT_EQ(relief_at(surface, 8, 16 * k), 0) << k;
+    EXPECT_EQ(relief_at(surface, 16 * k + 8, 8), -300) << k;
+    EXPECT_EQ(relief_at(surface, 8, 16 * k + 8), -300) << k;
+  }
+}
+
+TEST(Imprint, AHandsFieldRunsOutOverAQuarterAndWhereItIsCutOffItDoesNot) {
+  const ImprintDef def{0.002, 0.003, 3e-4};
+  Impression hand = blow(Impression::even);
+  hand.hand = true;
+  hand.low = 0.046, hand.high = 0.054;
+  hand.half = portable::kPi;
+  const Impression left[] = {blow(Impression::grid), hand};
+  Surface surface = cylinder(), cut = cylinder();
+  imprint(surface, left, def);
+  // 4 mm, 16 cells, of which the last four run out.
+  EXPECT_EQ(relief_at(surface, 4, 11), 0);
+  EXPECT_LT(relief_at(surface, 4, 13), -60);
+  EXPECT_GT(relief_at(surface, 4, 13), -240);
+  EXPECT_EQ(relief_at(surface, 4, 20), -300);
+  Impression half[] = {left[0], hand};
+  half[1].high = 0.050, half[1].to = 0.0;
+  imprint(cut, half, def);
+  EXPECT_EQ(relief_at(cut, 4, -2), 0);
+  EXPECT_EQ(relief_at(cut, 4, 4), -300);
+}
+
+TEST(Imprint, AHandOutsideLeavesTheInsideAsItIs) {
+  const ImprintDef def{0.002, 0.003, 3e-4};
+  Impression rings = blow(Impression::rings), hand = blow(Impression::even);
+  rings.inside = true;
+  hand.hand = true;
+  hand.half = portable::kPi;
+  Surface alone = cylinder(), both = cylinder();
+  const Impression left[] = {rings, hand};
+  imprint(alone, {&rings, 1}, def), imprint(both, left, def);
+  EXPECT_EQ(alone.hash(), both.hash());
+}
+
+TEST(Imprint, AFaceWhoseMiddleMissedTheWallIsAsDeepAsToldWhereItStruck) {
+  Surface surface = cylinder();
+  Impression left = blow(Impression::grid, 0, 2e-4);
+  left.high = 0.040, left.to = -0.5;
+  imprint(surface, {&left, 1}, {0.002, 0.003, 4e-4});
+  int deepest = 0;
+  for (int up = -80; up < -40; ++up) deepest = std::min(deepest, relief_at(surface, 4, up));
+  EXPECT_LE(deepest, -170);
+  EXPECT_GE(deepest, -200);
+}
+
+TEST(Imprint, NumbersThatAreNonePrintNothing) {
+  const double none = std::nan("");
+  for (const double bad : {none, HUGE_VAL, -HUGE_VAL, 1e300})
+    for (double Impression::*number :
+         {&Impression::low, &Impression::high, &Impression::from, &Impression::to,
+          &Impression::angle, &Impression::half, &Impression::wide, &Impression::tall,
+          &Impression::deep, &Impression::tilt})
+      for (const int face : {Impression::cord, Impression::rings}) {
+        Surface surface = cylinder();
+        Impression left = blow(face);
+        left.*number = bad;
+        EXPECT_FALSE(imprint(surface, {&left, 1}, {}));
+      }
+}
+
 TEST(Imprint, IsNoStepOfTheUndo) {
   Surface surface = cylinder();
   const Impression left = blow(Impression::cord);
