@@ -272,21 +272,35 @@ double strength_at(const StageWork& work, const Patch& patch) {
 
 // The paddle's face leaves its print on its side, an anvil's on the other. A hand leaves none, and
 // without anything behind the wall the paddle hardly goes in.
-void leave_prints(const StageWork& work, const Blow& blow, const Patch& patch, const Work& done) {
+void leave_prints(const StageWork& work, const Blow& blow, const Patch& patch, double wall,
+                  const Work& done) {
   if (!done.squeezes) return;
+  // Where the wall is nearest to the middle of the face, and what it gives there.
+  const double low = std::max(patch.y - patch.up, work.clay.floor_top());
+  const double high = std::min(patch.y + patch.up, work.clay.rim_height());
+  if (!(high > low)) return;
+  const double off = (std::clamp(patch.y, low, high) - patch.y) / patch.up;
+  const double weight = face_at(off * off);
+  const double out = std::max(0.0, weight * done.outer.deep);
+  const double in = std::max(0.0, weight * done.inner.deep);
+  const double most = kMostThinner * wall;
+  const double share = out + in > most ? most / (out + in) : 1.0;
   Print print;
+  print.left = blow.left;
   print.low = patch.y - patch.up;
   print.high = patch.y + patch.up;
   print.angle = portable::atan2(patch.z, patch.x);
   print.half = 2.0 * portable::asin(std::min(1.0, 0.5 * patch.across / patch.radius));
-  print.wide = patch.across;
   print.tall = patch.up;
   for (const bool outside : {true, false}) {
     const bool paddle = outside == done.from_outside;
     if (!paddle && !blow.anvil) continue;
     print.kind = paddle ? Print::paddle : Print::anvil;
     print.side = outside ? WallSide::outside : WallSide::inside;
-    print.deep = outside ? done.outer.deep : done.inner.deep;
+    print.deep = share * (outside ? out : in);
+    // Both faces lie under the same angle, and the inner one is shorter.
+    print.wide = paddle ? patch.across
+                        : patch.across * (outside ? done.outer : done.inner).mean / patch.radius;
     work.prints->strike(work, print);
   }
 }
@@ -350,7 +364,7 @@ Struck strike(const StageWork& work, const Blow& blow, std::span<Looked> room,
   const double wider = faces > 0.0 ? 0.5 * thinner / faces * radius : 0.0;
   for (int j = patch.first; j < patch.end; ++j)
     if (gives(clay, j)) widen_row(clay, j, wider * double{under[static_cast<std::size_t>(j)]});
-  if (work.prints != nullptr) leave_prints(work, blow, patch, done);
+  if (work.prints != nullptr) leave_prints(work, blow, patch, wall, done);
   const double way = done.from_outside ? 1.0 : -1.0;
   return {force, Vec3{way * patch.x, 0.0, way * patch.z}};
 }

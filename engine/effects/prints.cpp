@@ -1,6 +1,7 @@
 #include "engine/effects/prints.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <iterator>
 
@@ -116,6 +117,67 @@ void Prints::note(const Mark& mark) noexcept {
     if (back > 0 && ++back > count_) back = 0;
 }
 
+// Mark `n` goes, and the earlier ones move up.
+void Prints::drop(std::size_t n) noexcept {
+  for (std::size_t& back : back_) {
+    if (back == count_ - n) back = 0;
+    if (back > count_ - n) --back;
+  }
+  if (n >= count_ - live_) --live_;
+  for (; n > 0; --n) at(n) = at(n - 1);
+  first_ = (first_ + 1) % kMost;
+  --count_;
+}
+
+// Share of field `n` over which no later field lies, as far as a few heights and angles tell.
+double Prints::bare(std::size_t n) const noexcept {
+  constexpr std::size_t kHeights = 3, kAngles = 256;
+  const Mark& under = at(n);
+  std::array<std::bitset<kAngles>, kHeights> over;
+  const auto angle = [](double of) { return of * kAngles / (2.0 * portable::kPi); };
+  const auto wrap = [](int k) { return static_cast<std::size_t>(k & (int{kAngles} - 1)); };
+  for (std::size_t later = n + 1; later < count_; ++later) {
+    const Mark& mark = at(later);
+    if (mark.kind != Print::smoothed || mark.side != under.side) continue;
+    if (mark.high <= under.low || mark.low >= under.high) continue;
+    const auto from = static_cast<int>(std::ceil(angle(double{mark.angle} - double{mark.half})));
+    const auto to = static_cast<int>(std::floor(angle(double{mark.angle} + double{mark.half})));
+    for (std::size_t k = 0; k < kHeights; ++k) {
+      const double share = (static_cast<double>(k) + 0.5) / kHeights;
+      const double height = under.low + share * (under.high - under.low);
+      if (height < mark.low || height > mark.high) continue;
+      for (int each = from; each < to; ++each) over[k].set(wrap(each));
+    }
+  }
+  const auto from = static_cast<int>(std::floor(angle(double{under.angle} - double{under.half})));
+  const auto to = static_cast<int>(std::ceil(angle(double{under.angle} + double{under.half})));
+  int all = 0, bare = 0;
+  for (int each = from; each < to && each < from + int{kAngles}; ++each)
+    for (const std::bitset<kAngles>& height : over) ++all, bare += height.test(wrap(each)) ? 0 : 1;
+  return all > 0 ? static_cast<double>(bare) / all : 0.0;
+}
+
+// Where there are as many fields as may be, that one of a few goes that later ones cover most; the
+// older ones have their turn first. Undo of the later ones then lacks it.
+void Prints::make_room_for_field() noexcept {
+  constexpr std::size_t kTried = 8;
+  std::size_t fields = 0, oldest = count_;
+  for (std::size_t n = count_ - live_; n < count_; ++n)
+    if (at(n).kind == Print::smoothed && ++fields == 1) oldest = n;
+  if (fields < kMostSmoothed) return;
+  if (looked_at_ < oldest || looked_at_ >= count_) looked_at_ = oldest;
+  std::size_t found = oldest, tried = 0;
+  double least = 2.0;
+  for (std::size_t n = looked_at_; n < count_ && tried < kTried && least > 0.0; ++n) {
+    if (at(n).kind != Print::smoothed) continue;
+    ++tried;
+    const double share = bare(n);
+    if (share < least) least = share, found = n;
+    looked_at_ = n + 1;
+  }
+  drop(found);
+}
+
 void Prints::count_live() noexcept {
   for (live_ = 0; live_ < count_ && at(count_ - 1 - live_).kind != kFreshLump;) ++live_;
   back_.fill(0);
@@ -188,10 +250,12 @@ void Prints::put_back(std::uint32_t step) noexcept {
   }
 }
 
-// Puts `mark` where of a face from `low` to `high` lies on the wall; false if nothing does.
-bool Prints::place(const StageWork& work, double low, double high, Mark& mark) noexcept {
+// Puts `mark` where of a face from `low` to `high` lies on the wall above `foot`; false if nothing
+// does.
+bool Prints::place(const StageWork& work, double low, double high, double foot,
+                   Mark& mark) noexcept {
   const double face = high - low;
-  const double from = std::max(low, 0.0), to = std::min(high, work.clay.rim_height());
+  const double from = std::max(low, foot), to = std::min(high, work.clay.rim_height());
   if (!(to > from) || work.volume == nullptr) return false;
   mark.step = step_of(work);
   const Below below = clay_below(work.clay, *work.volume, from, to);
@@ -203,7 +267,8 @@ bool Prints::place(const StageWork& work, double low, double high, Mark& mark) n
 
 void Prints::strike(const StageWork& work, const Print& print) noexcept {
   Mark mark;
-  if (!(print.deep > 0.0) || !place(work, print.low, print.high, mark)) return;
+  if (!(print.deep > 0.0) || !place(work, print.low, print.high, work.clay.floor_top(), mark))
+    return;
   mark.angle = static_cast<float>(print.angle);
   mark.half = static_cast<float>(print.half);
   mark.wide = static_cast<float>(print.wide);
@@ -211,6 +276,7 @@ void Prints::strike(const StageWork& work, const Print& print) noexcept {
   mark.deep = static_cast<float>(print.deep);
   mark.kind = print.kind;
   mark.side = print.side;
+  mark.left = print.left;
   note(mark);
   back_.fill(0);  // what is smoothed from now on lies over it
 }
@@ -242,12 +308,13 @@ void Prints::run(const StageWork& work) noexcept {
     if (live_ == 0 || !(hand.normal > 0.0) || !hand.on_wall || !(out > kFingertip)) continue;
     const double up = std::max(hand.smooths, kFingertip);
     Mark mark;
-    if (!place(work, hand.at.y - up, hand.at.y + up, mark)) continue;
+    if (!place(work, hand.at.y - up, hand.at.y + up, 0.0, mark)) continue;
     mark.angle = static_cast<float>(portable::atan2(hand.at.z, hand.at.x));
     mark.half = static_cast<float>(kFingertip / out);
     mark.kind = Print::smoothed;
     mark.side = hand.side;
     if (back_[n] > 0 && goes_on(at(count_ - back_[n]), mark)) continue;
+    make_room_for_field();
     note(mark);
     back_[n] = 1;
   }
@@ -267,6 +334,7 @@ std::vector<Print> Prints::seen(const Clay& clay, const Volume& volume) const {
     print.angle = double{mark.angle}, print.half = double{mark.half};
     print.wide = double{mark.wide}, print.tall = double{mark.tall};
     print.deep = double{mark.deep};
+    print.left = mark.left;
     all.push_back(print);
   }
   return all;
@@ -289,7 +357,8 @@ void Prints::add_to(StateHash& hash, const Clay&) const {
   hash.add(static_cast<std::uint64_t>(live_));
   for (std::size_t n = count_ - live_; n < count_; ++n) {
     const Mark& mark = at(n);
-    hash.add(std::uint64_t{mark.kind} << 1 | (mark.side == WallSide::inside ? 1 : 0));
+    hash.add(std::uint64_t{mark.left} << 9 | std::uint64_t{mark.kind} << 1 |
+             (mark.side == WallSide::inside ? 1 : 0));
     for (const double v :
          {mark.low, mark.high, double{mark.from}, double{mark.to}, double{mark.angle},
           double{mark.half}, double{mark.wide}, double{mark.tall}, double{mark.deep}})

@@ -48,18 +48,22 @@ struct Print {
   double from = -1.0, to = 1.0;  ///< and what of the face they are: -1 its lower end, 1 its upper.
   double angle = 0.0, half = 0.0;  ///< rad: its middle, and half its width, at most pi.
   double wide = 0.0, tall = 0.0;   ///< m: half the face round the pot and upwards, as it struck.
-  double deep = 0.0;               ///< m: how far the middle of the face went into the clay.
+  double deep = 0.0;  ///< m: how far it went into the clay where that is nearest to the middle of
+                      ///< the face.
+  bool left = false;  ///< It was struck to the left of the axis, as the visitor sees the wheel.
 };
 
 namespace effects {
 
 /// Keeps the blows and the smoothing of a pot, in their order. A place is told by the clay below
 /// it, which no blow, no hand and no row that divides changes. What a tool cuts off below it is
-/// taken off that. Keeps the last kMost. Undo brings back what cuts changed, as far as kMostCut
-/// places of the last strokes go. Allocates when made, and in seen().
+/// taken off that. Keeps the last kMost, of which at most kMostSmoothed are smoothed. Undo brings
+/// back what cuts changed, as far as kMostCut places of the last strokes go. Allocates when made,
+/// and in seen().
 class Prints {
  public:
   static constexpr std::size_t kMost = 2048;
+  static constexpr std::size_t kMostSmoothed = kMost / 2;
   static constexpr std::size_t kMostCut = 4 * kMost;
   static constexpr bool kAsksMoves = false;
   static bool wanted(const Effects& def);
@@ -96,6 +100,7 @@ class Prints {
     float angle = 0.0f, half = 0.0f, wide = 0.0f, tall = 0.0f, deep = 0.0f;
     std::uint8_t kind = 0;  // of Print, or kFreshLump
     WallSide side = WallSide::outside;
+    bool left = false;
   };
   struct Cut {
     double gone = 0.0;    // m^3, cut off since lower(); there: off all rows up to this one
@@ -108,8 +113,12 @@ class Prints {
   };
   const Mark& at(std::size_t n) const { return marks_[(first_ + n) % kMost]; }
   Mark& at(std::size_t n) { return marks_[(first_ + n) % kMost]; }
-  static bool place(const StageWork& work, double low, double high, Mark& mark) noexcept;
+  static bool place(const StageWork& work, double low, double high, double foot,
+                    Mark& mark) noexcept;
   void note(const Mark& mark) noexcept;
+  void drop(std::size_t n) noexcept;
+  void make_room_for_field() noexcept;
+  double bare(std::size_t n) const noexcept;
   void count_live() noexcept;
   void keep_places(std::uint32_t step) noexcept;
   void put_back(std::uint32_t step) noexcept;
@@ -120,6 +129,7 @@ class Prints {
   std::size_t live_ = 0;                        // of count_, those of this lump
   std::array<std::size_t, kMostHands> back_{};  // where a hand's last mark lies, from the end: 1 is
                                                 // the last one; 0: it smooths nothing
+  std::size_t looked_at_ = 0;                   // make_room_for_field()
   std::uint32_t names_ = 0;
   std::vector<Cut> cut_;             // of row j
   int first_cut_ = 0, end_cut_ = 0;  // rows

@@ -45,6 +45,7 @@ struct Blow {
   double squeezes = 0.0;
   double moves = 0.0;  // moving the wall away from `side`; less than 0: towards it.
   bool anvil = false;  ///< What holds against it is an anvil, not a hand.
+  bool left = false;   ///< It comes to the left of the axis, as the visitor at +z sees the wheel.
 };
 
 /// A tick's input to the stages.

@@ -220,6 +220,7 @@ effects::Blow Scene::State::blow_of(const Tick& tick, std::size_t n) const noexc
   blow.squeezes = std::min(h.swing, against);
   blow.moves = h.swing - against;
   blow.anvil = h.anvil > h.swing * held;
+  blow.left = way.x < 0.0;
   return blow;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -84,7 +85,7 @@ TEST(Prints, ABlowAgainstAnAnvilLeavesThePaddleOutsideAndTheAnvilInsideWhereItFe
     EXPECT_NEAR(print.high - print.low, 2.0 * 0.02, 5e-4);
     EXPECT_NEAR(print.angle, 0.7, 1e-6);
     EXPECT_NEAR(print.half, 0.02 / kOuter, 0.01);
-    EXPECT_EQ(print.wide, double{0.02f});
+    EXPECT_EQ(print.tall, double{0.02f});
     EXPECT_GT(print.deep, 5e-5);
     EXPECT_LT(print.deep, 2e-3);
   }
@@ -299,6 +300,185 @@ TEST(Prints, TheOldestGoWhereThereAreTooMany) {
   prints.strike(work, print);
   EXPECT_NEAR(prints.seen(clay, volume).back().angle, seen.back().angle, 1e-6)
       << "a face that only lies on what stands out leaves nothing";
+}
+
+TEST(Prints, HandsThatScrubForLongDriveNoBlowOut) {
+  const SceneDef def = wall();
+  Clay clay = std::move(*Clay::create(def.clay));
+  clay.keep_areas();
+  Volume volume(clay);
+  Prints prints(clay.room());
+  RowTick tick;
+  const StageWork work{def, clay, tick, &volume};
+  Print print;
+  print.low = 0.01, print.high = 0.05, print.deep = 0.001;
+  prints.strike(work, print);
+  HandThere& once = tick.hand[0];
+  once.normal = 1.0, once.on_wall = true;
+  once.at = {kOuter, 0.11, 0.0};
+  prints.run(work);
+  // Two hands at 4 Hz from 40 to 100 mm, 6 rad/s, 40 s.
+  for (int n = 0; n < 40000; ++n) {
+    const double angle = 0.006 * n, y = 0.07 + 0.03 * portable::sin(0.0251 * n);
+    for (std::size_t hand = 0; hand < 2; ++hand) {
+      tick.hand[hand] = {};
+      tick.hand[hand].normal = 1.0, tick.hand[hand].on_wall = true;
+      tick.hand[hand].side = hand == 0 ? WallSide::outside : WallSide::inside;
+      tick.hand[hand].at = {kOuter * portable::cos(angle), y, kOuter * portable::sin(angle)};
+    }
+    prints.run(work);
+  }
+  const std::vector<Print> seen = prints.seen(clay, volume);
+  EXPECT_LE(seen.size(), Prints::kMostSmoothed + 1);
+  ASSERT_EQ(seen[0].kind, Print::paddle);
+  EXPECT_NEAR(seen[1].high, 0.114, 1e-4) << "nothing lies over it, so it stays too";
+  EXPECT_NEAR(seen[1].angle, 0.0, 1e-6);
+}
+
+TEST(Prints, ABlowEndsAFieldAndSoDoesAnUndoStep) {
+  const auto fields = [](const Scene& scene) {
+    return std::ranges::count(scene.prints(), Print::smoothed, &Print::kind);
+  };
+  Scene scene = made(wall());
+  strike(scene, paddle(0.06, 0.0));
+  Hands hands;
+  for (int n = 0; n < 200; ++n) {
+    hands.hand[0] = {{kOuter + 0.0075 - 1e-5 * n, 0.06, 0.0}, true, SideWish::outside};
+    if (n > 90 && n < 110) hands.hand[1] = paddle(0.09, 2.0);
+    hands.hand[1].active = n > 90 && n < 110;
+    hands.hand[1].blow = n == 100;
+    scene.step(hands, 0.001);
+  }
+  const std::vector<Print> prints = scene.prints();
+  ASSERT_EQ(prints.size(), 6u);
+  EXPECT_EQ(prints[2].kind, Print::smoothed);
+  EXPECT_EQ(prints[3].kind, Print::paddle);
+  EXPECT_EQ(prints[5].kind, Print::smoothed) << "what is smoothed from now on lies over the blow";
+  Scene rests = made(wall());
+  strike(rests, paddle(0.06, 0.0));
+  wait(rests, 1.0);
+  Hands deeper;
+  for (int n = 0; n < 4000; ++n) {
+    deeper.hand[0] = {{kOuter + 0.0075 - 1e-6 * n, 0.06, 0.0}, true, SideWish::outside};
+    rests.step(deeper, 0.001);
+  }
+  wait(rests, 1.0);
+  EXPECT_EQ(fields(rests), 2) << "a touch of 4 s is two steps";
+  undo(rests);
+  EXPECT_EQ(fields(rests), 1);
+}
+
+TEST(Prints, EachHandAndEachSideHasAFieldOfItsOwn) {
+  Scene scene = made(wall());
+  strike(scene, paddle(0.06, 0.0));
+  Hands hands;
+  for (int n = 0; n < 100; ++n) {
+    hands.hand[0] = {{kOuter + 0.007, 0.06, 0.0}, true, SideWish::outside};
+    hands.hand[1] = {{kOuter - 0.015, 0.06, 0.0}, true, SideWish::inside};
+    scene.step(hands, 0.001);
+  }
+  const std::vector<Print> prints = scene.prints();
+  ASSERT_EQ(prints.size(), 4u);
+  EXPECT_EQ(prints[2].kind, Print::smoothed);
+  EXPECT_EQ(prints[3].kind, Print::smoothed);
+  EXPECT_NE(prints[2].side, prints[3].side);
+  // The same hand on the other side.
+  const SceneDef def = wall();
+  Clay clay = std::move(*Clay::create(def.clay));
+  clay.keep_areas();
+  Volume volume(clay);
+  Prints kept(clay.room());
+  RowTick tick;
+  const StageWork work{def, clay, tick, &volume};
+  Print print;
+  print.low = 0.04, print.high = 0.08, print.deep = 0.001;
+  kept.strike(work, print);
+  tick.hand[0].normal = 1.0, tick.hand[0].on_wall = true;
+  tick.hand[0].at = {kOuter, 0.06, 0.0};
+  kept.run(work);
+  tick.hand[0].side = WallSide::inside;
+  kept.run(work);
+  EXPECT_EQ(kept.seen(clay, volume).size(), 3u);
+}
+
+TEST(Prints, TheStatesHashTellsThePlaceOfAPrint) {
+  const SceneDef def = wall();
+  Clay clay = std::move(*Clay::create(def.clay));
+  clay.keep_areas();
+  Volume volume(clay);
+  RowTick tick;
+  const StageWork work{def, clay, tick, &volume};
+  Print print;
+  print.low = 0.04, print.high = 0.08, print.half = 0.3, print.deep = 0.001;
+  print.wide = print.tall = 0.02;
+  const auto hash = [&](auto change) {
+    Prints prints(clay.room());
+    Print other = print;
+    change(other);
+    prints.strike(work, other);
+    StateHash all;
+    prints.add_to(all, clay);
+    return all.value();
+  };
+  const auto same = [](Print&) {};
+  EXPECT_EQ(hash(same), hash(same));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.low += 0.001; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.high += 0.001; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.angle = 1.0; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.half = 0.2; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.wide = 0.01; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.tall = 0.01; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.deep = 0.002; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.kind = Print::anvil; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.side = WallSide::inside; }));
+  EXPECT_NE(hash(same), hash([](Print& each) { each.left = true; }));
+}
+
+TEST(Prints, OnlyTheWallAboveTheFloorIsPrintedAndNoDeeperThanTheWallGives) {
+  for (const double height : {0.012, 0.0, -0.005}) {
+    Scene scene = made(wall());
+    strike(scene, paddle(height, 0.0));
+    for (const Print& print : scene.prints()) {
+      EXPECT_GE(print.low, scene.clay().floor_top() - 1e-4) << height;
+      EXPECT_LE(print.deep, 0.25 * 0.008) << height;
+      EXPECT_GT(print.from, -1.0) << height;
+    }
+  }
+  for (const double over : {0.0, 0.01, 0.0185, 0.0195}) {
+    Scene scene = made(wall());
+    strike(scene, paddle(scene.clay().rim_height() + over, 0.0));
+    for (const Print& print : scene.prints()) EXPECT_LE(print.deep, 0.25 * 0.008) << over;
+  }
+}
+
+TEST(Prints, AMetreOfTheFaceIsAMetreOfTheWallOnBothSides) {
+  SceneDef def = wall();
+  def.clay.outer_radius = 0.0668;
+  def.clay.inner_radius = 0.040;
+  Scene scene = made(def);
+  strike(scene, paddle(0.06, 0.0, 0.0668 + 0.012));
+  ASSERT_EQ(scene.prints().size(), 2u);
+  for (const Print& print : scene.prints()) {
+    const double radius = print.side == WallSide::outside ? 0.0668 : 0.040;
+    EXPECT_NEAR(print.wide / (print.half * radius), 1.0, 0.02);
+  }
+}
+
+TEST(Prints, ABlowTellsOnWhichSideOfTheVisitorItFellHoweverThePotIsTurned) {
+  Scene scene = made(wall());
+  strike(scene, paddle(0.06, 0.5));
+  strike(scene, paddle(0.06, 3.0));
+  Hands turn;
+  turn.wheel_speed = 2.0;
+  wait(scene, 1.0, turn);
+  wait(scene, 1.0);
+  strike(scene, paddle(0.06, 0.5));
+  const std::vector<Print> prints = scene.prints();
+  ASSERT_EQ(prints.size(), 6u);
+  ASSERT_GT(std::fabs(prints[4].angle - prints[0].angle), 0.5) << "another place of the clay";
+  EXPECT_FALSE(prints[0].left);
+  EXPECT_TRUE(prints[2].left);
+  EXPECT_FALSE(prints[4].left);
 }
 
 TEST(Prints, AReplayBringsThemAll) {
