@@ -39,7 +39,10 @@ bool print(surface::Surface& surface, std::span<const Print> prints, const Print
     on.angle = each.angle, on.half = each.half;
     on.wide = each.wide, on.tall = each.tall;
     on.deep = each.deep;
-    on.tilt = portable::atan2(0.5 * (each.low + each.high) - kElbow, kArm);
+    // A cord lies across the handle, which goes down to the visitor from above the elbow: so it
+    // goes up towards the visitor. On the right of the wheel that is the sectors' way round.
+    const double lean = portable::atan2(0.5 * (each.low + each.high) - kElbow, kArm);
+    on.tilt = each.left ? lean : -lean;
   }
   return surface::imprint(surface, left, {faces.pitch, faces.rings, faces.depth});
 }

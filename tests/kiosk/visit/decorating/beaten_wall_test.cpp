@@ -105,24 +105,33 @@ TEST_F(Printed, AHandThatSmoothedTheWallIsLikePlainWood) {
   EXPECT_EQ(deepest(smooth->surface(), false, 0.08, 1.0, 0.3), 0);
 }
 
-TEST_F(Printed, ThePaddleLeansAsItStrikesHigher) {
-  const auto shape_of = [&](double height) {
-    const std::vector<Print> one{struck(Print::paddle, WallSide::outside, height, 1.0)};
-    const auto printed = *DecoratedPot::begin(a_jar(), way, one, faces(PrintsDef::cord));
-    // How far a groove goes round while it goes up by 3 mm: where the next rows look most alike.
+// The visitor is at +z. The handle goes from a high blow down to the elbow, and cords lie across
+// it.
+TEST_F(Printed, AboveTheElbowACordGoesUpTowardsTheVisitorOnBothSidesAndBelowItAway) {
+  // How far (cells) a groove goes towards +z while it goes up by 3 mm: where the rows look most
+  // alike.
+  const auto towards_visitor = [&](double height, bool left) {
+    Print one = struck(Print::paddle, WallSide::outside, height, left ? portable::kPi : 0.0);
+    one.left = left;
+    const auto printed = *DecoratedPot::begin(a_jar(), way, {&one, 1}, faces(PrintsDef::cord));
     const auto& surface = printed->surface();
     int j = 0;
     while (surface.row(j).height < height) ++j;
+    const int middle = left ? surface::kSectors / 2 : 0;
     int best = 0, least = 1 << 30;
-    for (int shift = -8; shift <= 8; ++shift) {
+    for (int shift = -6; shift <= 6; ++shift) {
       int apart = 0;
-      for (int i = 240; i < 300; ++i)
-        apart += std::abs(surface.relief(j, i) - surface.relief(j + 12, i + shift));
+      for (int i = middle - 25; i < middle + 25; ++i)
+        apart += std::abs(surface.relief(j - 6, surface::wrapped(i)) -
+                          surface.relief(j + 6, surface::wrapped(i + shift)));
       if (apart < least) least = apart, best = shift;
     }
-    return best;
+    return left ? -best : best;
   };
-  EXPECT_NE(shape_of(0.03), shape_of(0.13));
+  for (const bool left : {false, true}) {
+    EXPECT_GT(towards_visitor(0.14, left), 1) << left;
+    EXPECT_LT(towards_visitor(0.03, left), 0) << left;
+  }
 }
 
 }  // namespace
