@@ -60,8 +60,10 @@ void take_paddle(toml::TomlReader::Table& root, const std::string& name, Pack& p
     return;
   }
   const std::vector<std::string> all(paddle_faces().begin(), paddle_faces().end());
+  const std::string nearest = nearest_name(name, all);
   root.complain("paddle", "paddle is \"" + name + "\", which is no face of a paddle.",
-                "Write one of " + joined(all) + ", or remove the key.");
+                (nearest.empty() ? "Write" : "Did you mean \"" + nearest + "\"? Write") +
+                    " one of " + joined(all) + ", or remove the key.");
 }
 
 void read_labels(toml::TomlReader::Table& root, PackRead& read) {

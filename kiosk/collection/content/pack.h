@@ -17,9 +17,10 @@ struct Pack {
   std::string drawing;      ///< A file beside it; empty: none.
   std::string decoration;   ///< A file beside it, of which its colours were made; empty: none.
   bool built = false;       ///< It was built of coils, not thrown.
-  int paddle = 0;           ///< The face of its makers' paddle, of PrintsDef::Face; 0: plain wood.
-  std::string way;          ///< Id of the way that visitors decorate it in; empty: usual.
-  std::vector<std::string> glazes;              ///< Ids of its own glazes, which are offered first.
+  /// The face of its makers' paddle, of PrintsDef::Face; nothing: that of the scene.
+  std::optional<int> paddle;
+  std::string way;                  ///< Id of the way that visitors decorate it in; empty: usual.
+  std::vector<std::string> glazes;  ///< Ids of its own glazes, which are offered first.
   double true_height = 0.0, true_diameter = 0;  ///< Metres; 0: not given.
   double unit = 0.0;                            ///< Metres in one unit of the mesh; 0: not given.
   std::optional<Vec3> up;                       ///< In the mesh's axes.

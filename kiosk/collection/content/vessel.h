@@ -45,8 +45,9 @@ struct Vessel {
   GltfCredit given;                     ///< What the file says about itself.
   std::string credit, licence, source;
   bool built = false;  ///< It was built of coils, not thrown.
-  int paddle = 0;      ///< The face of its makers' paddle, of PrintsDef::Face; 0: plain wood.
-  std::string way;     ///< Id of the way that visitors decorate it in; empty: the usual one.
+  /// The face of its makers' paddle, of PrintsDef::Face; nothing: that of the scene.
+  std::optional<int> paddle;
+  std::string way;  ///< Id of the way that visitors decorate it in; empty: the usual one.
   std::vector<std::string> glazes;  ///< Ids of its own glazes, which are offered first.
   /// Where its makers began, if it has a good decoration.toml.
   std::vector<decoration::Start> starts;

@@ -208,9 +208,10 @@ screens::SceneForVisitor Scenes::for_visitor(const SceneDef& def,
 }
 
 void take_paddle(SceneDef& def, const content::Vessel& vessel) {
-  if (!def.beating || vessel.paddle == PrintsDef::plain) return;
+  if (!def.beating || !vessel.paddle) return;
+  if (!def.prints && *vessel.paddle == PrintsDef::plain) return;  // such a scene shows no print
   if (!def.prints) def.prints.emplace();
-  def.prints->paddle = vessel.paddle;
+  def.prints->paddle = *vessel.paddle;
 }
 
 settings::Problems unknown_names(const settings::Exhibit& exhibit,

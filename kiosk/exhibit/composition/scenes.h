@@ -75,8 +75,8 @@ class Scenes {
   std::vector<std::string> attract_scripts_;
 };
 
-/// Gives `def`'s potter the paddle of `vessel`'s makers, where it has a paddle: with a face that
-/// leaves prints, [prints] begins.
+/// Gives `def`'s potter the paddle of `vessel`'s makers, if that is known and `def` has a paddle.
+/// With a face that leaves prints, [prints] begins.
 void take_paddle(SceneDef& def, const content::Vessel& vessel);
 
 /// Unknown names in the exhibit: vessels in `order`, `hidden` and [vessel_scenes] that are not

@@ -106,19 +106,23 @@ TEST_F(VesselTest, a_paddles_face_goes_by_name_and_another_word_is_only_said) {
   const auto with = [this](const std::string& line) {
     write("jar/vessel.toml", line + kWholeToml + "text = \"Foot.\"\n");
     const auto vessel = load_vessel(folder_ / "jar");
-    return vessel ? vessel->paddle : -1;
+    return vessel ? vessel->paddle : std::optional<int>(-1);
   };
-  EXPECT_EQ(with(""), PrintsDef::plain);
+  EXPECT_EQ(with(""), std::nullopt) << "the scene's paddle stays";
   EXPECT_EQ(with("paddle = \"plain\"\n"), PrintsDef::plain);
   EXPECT_EQ(with("paddle = \"cord\"\n"), PrintsDef::cord);
   EXPECT_EQ(with("paddle = \"grid\"\n"), PrintsDef::grid);
   EXPECT_TRUE(read_pack(folder_ / "jar/vessel.toml").advice.empty());
-  EXPECT_EQ(with("paddle = \"stone\"\n"), PrintsDef::plain);
+  EXPECT_EQ(with("paddle = \"stone\"\n"), std::nullopt);
   const PackRead read = read_pack(folder_ / "jar/vessel.toml");
   EXPECT_TRUE(read.problems.empty());
   ASSERT_EQ(read.advice.size(), 1u);
   EXPECT_TRUE(read.advice[0].where.ends_with("vessel.toml:1:10")) << read.advice[0].where;
   EXPECT_NE(read.advice[0].remedy.find("plain, cord, grid"), std::string::npos);
+  EXPECT_EQ(with("paddle = \"cords\"\n"), std::nullopt);
+  const PackRead slip = read_pack(folder_ / "jar/vessel.toml");
+  ASSERT_EQ(slip.advice.size(), 1u);
+  EXPECT_NE(slip.advice[0].remedy.find("Did you mean \"cord\"?"), std::string::npos);
 }
 
 TEST_F(VesselTest, a_scans_own_words_are_cut_to_what_a_label_shows) {

@@ -135,6 +135,14 @@ TEST_F(PotOnWheelTest, AVesselsPaddleLeavesItsFaceWhereThereIsAPaddle) {
   ASSERT_TRUE(scenes.for_visitor(scene, vessels[1]).prints);
   EXPECT_EQ(scenes.for_visitor(scene, vessels[1]).prints->paddle, PrintsDef::grid);
   EXPECT_FALSE(scenes.for_visitor(scene, vessels[0]).prints);
+  SceneDef cut = scene;
+  cut.prints.emplace().paddle = PrintsDef::grid;
+  EXPECT_EQ(scenes.for_visitor(cut, vessels[0]).prints->paddle, PrintsDef::grid);
+  vessels[0].paddle = PrintsDef::plain;
+  EXPECT_EQ(scenes.for_visitor(cut, vessels[0]).prints->paddle, PrintsDef::plain)
+      << "a vessel that says plain has plain wood";
+  EXPECT_FALSE(scenes.for_visitor(scene, vessels[0]).prints);
+  vessels[0].paddle.reset();
   PotOnWheel pot(scenes, wheel, renderer, 1, true);
   for (const bool built : {true, false})
     for (const int card : {0, 1}) {
