@@ -1,5 +1,6 @@
 #include "kiosk/collection/content/content_fields.h"
 
+#include "engine/effects/prints.h"
 #include "kiosk/collection/content/lesson.h"
 #include "kiosk/collection/settings/mission_fields.h"
 #include "kiosk/collection/settings/visitor_text.h"
@@ -68,6 +69,10 @@ fields::FieldList all_vessel_fields() {
            .kind = FieldKind::boolean,
            .words = "it was built of coils",
            .usual = "false"},
+          {.key = "paddle",
+           .words = "the face of its makers' paddle",
+           .usual = "the scene's",
+           .choices = {paddle_faces().begin(), paddle_faces().end()}},
           {.key = "glazes",
            .kind = FieldKind::texts,
            .words = "the glazes that visitors may choose for it",

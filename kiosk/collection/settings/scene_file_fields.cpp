@@ -6,6 +6,7 @@
 
 #include "engine/contact/tool.h"
 #include "engine/effects/kiln.h"
+#include "engine/effects/prints.h"
 #include "engine/scene/scene_def.h"
 
 namespace onggi::settings {
@@ -84,6 +85,9 @@ constexpr SceneWords kSceneWords[] = {
     {"beating", "energy", "what a blow spends on the clay; higher: fewer blows"},
     {"beating", "face", "radius of the paddle's face"},
     {"beating", "yield_stress", "stress at which dry clay yields under a blow; lower: softer clay"},
+    {"prints", "pitch", "from cord to cord, or from bar to bar"},
+    {"prints", "rings", "from ring to ring on the anvil; 0: a smooth anvil"},
+    {"prints", "depth", "of the print of a whole blow"},
     {"friction", "coefficient", "of dry clay"},
     {"friction", "wet_factor", "friction, dripping wet / dry"},
     {"friction", "slip_speed", "friction fades in below this slip"},
@@ -187,6 +191,16 @@ Field body() {
   return out;
 }
 
+// A number in the engine, a word in the file.
+Field paddle() {
+  Field out{.table = PrintsDef::kName,
+            .key = "paddle",
+            .words = "the paddle's face: plain wood, wound with cord, or cut with a grid",
+            .usual = "\"plain\""};
+  for (const std::string_view face : paddle_faces()) out.choices.emplace_back(face);
+  return out;
+}
+
 fields::FieldList all_scene_fields() {
   fields::FieldList list{"scenes/*.toml", {quality()}};
   std::vector<Field>& out = list.fields;
@@ -201,6 +215,8 @@ fields::FieldList all_scene_fields() {
   each_effect(def, [&out]<class Def>(std::optional<Def>&) {
     if constexpr (std::is_same_v<Def, KilnDef>) out.push_back(body());
     add_def<Def>(out);
+    if constexpr (std::is_same_v<Def, PrintsDef>)
+      *std::ranges::find(out, PrintsDef::kName, &Field::table) = paddle();
   });
   add_def<PaperDef>(out);
   return list;
