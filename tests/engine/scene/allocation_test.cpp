@@ -123,7 +123,9 @@ TEST(Scene, AnEffectThatIsAbsentAllocatesNotAByteAndOneThatIsPresentAFewARow) {
     const double rows = def.building ? 1.0 + def.building->tallest / def.clay.height : 0.0;
     const long coils = static_cast<long>(24.0 * rows * static_cast<double>(elements));
     const long each = (by_elements ? 17 : 0) + (def.volume ? 9 : 0);  // as many rows again to spare
-    EXPECT_LT(bytes_of(def) - base, each * elements + coils + 200 * def.clay.rows) << effect.name;
+    const long marks = def.prints ? 312'000 : 0;                      // as many on every grid
+    EXPECT_LT(bytes_of(def) - base, each * elements + coils + marks + 200 * def.clay.rows)
+        << effect.name;
   }
 }
 
