@@ -106,12 +106,23 @@ bool History::keep_up(Clay& clay, int rows) noexcept {
   return false;
 }
 
-void History::follow(Clay& clay, bool touching, double seconds) noexcept {
+void History::begin_touch(const Clay& clay) noexcept {
+  if (!settling_) return;
+  settling_ = false;
+  if (steps_.back().first == next_)
+    steps_.back().settles = false;
+  else
+    end_step(clay);
+}
+
+void History::follow(Clay& clay, Stir stir, double seconds) noexcept {
+  if (stir == Stir::touching) begin_touch(clay);
   keep_up(clay, std::max(kLeastRowsATick, rows_of(kElementsATick)));
-  clear_ = touching ? 0.0 : clear_ + seconds;
+  clear_ = stir == Stir::none ? clear_ + seconds : 0.0;
   const bool empty = steps_.back().first == next_;
   lasted_ = empty ? 0.0 : lasted_ + seconds;
-  if (!empty && (clear_ >= kPause || lasted_ >= kLongest)) end_step(clay);
+  // Clay that settles is one step, however long: nobody takes back a part of it.
+  if (!empty && !settling_ && (clear_ >= kPause || lasted_ >= kLongest)) end_step(clay);
 }
 
 void History::end_step(const Clay& clay) noexcept {
@@ -120,21 +131,25 @@ void History::end_step(const Clay& clay) noexcept {
   unsettled_.add(in_step_);
   in_step_.clear();
   if (steps_.size() == kMostSteps) steps_.erase(steps_.begin());
-  steps_.push_back({next_, next_place_, clay.floor_top()});
+  steps_.push_back({next_, next_place_, clay.floor_top(), settling_});
   ++depth_;
 }
 
 bool History::begin_step(Clay& clay, int element_budget) noexcept {
   if (!keep_up(clay, rows_of(element_budget))) return false;
-  if (steps_.back().first == next_) return true;
-  end_step(clay);
-  return false;
+  const bool empty = steps_.back().first == next_;
+  if (settling_)
+    begin_touch(clay);
+  else
+    end_step(clay);
+  return empty;
 }
 
 bool History::can_step_back() const {
-  const Step& now = steps_.back();
-  if (now.first != next_) return reaches(now);
-  return steps_.size() > 1 && reaches(steps_[steps_.size() - 2]);
+  std::uint64_t end = next_;
+  for (std::size_t n = steps_.size(); n-- > 0 && reaches(steps_[n]); end = steps_[n].first)
+    if (steps_[n].first != end && !steps_[n].settles) return true;
+  return false;
 }
 
 void History::put_back(Clay& clay, std::uint64_t at) noexcept {
@@ -182,7 +197,9 @@ bool History::step_back_some(Clay& clay, int element_budget) noexcept {
   in_step_.clear();
   going_back_ = false;
   lasted_ = 0.0;
-  return true;
+  const bool settled = steps_.back().settles;
+  settling_ = steps_.back().settles = true;  // what moves now belongs to no hand
+  return !settled || !can_step_back();
 }
 
 void History::add_to(StateHash& hash) const {
@@ -191,6 +208,10 @@ void History::add_to(StateHash& hash) const {
   hash.add(steps_.back().first);
   hash.add(static_cast<std::uint64_t>(going_back_));
   if (next_place_ > 0) hash.add(next_place_);
+  for (std::size_t n = 0; n < steps_.size(); ++n)
+    if (steps_[n].settles &&
+        steps_[n].first != (n + 1 < steps_.size() ? steps_[n + 1].first : next_))
+      hash.add(steps_[n].first);
 }
 
 }  // namespace onggi::clay

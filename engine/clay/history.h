@@ -30,9 +30,11 @@ class History {
 
   explicit History(Clay& clay);
 
-  /// Call once a tick, after the clay changed. `touching`: a hand presses it. Costs at most 2048
-  /// elements, or two rows if those are longer.
-  void follow(Clay& clay, bool touching, double seconds) noexcept;
+  /// What goes on in a tick: nothing, clay that moves by itself, or a hand that presses it.
+  enum class Stir : std::uint8_t { none, moving, touching };
+  /// Call once a tick, after the clay changed. Costs at most 2048 elements, or two rows if those
+  /// are longer.
+  void follow(Clay& clay, Stir stir, double seconds) noexcept;
   /// Call once for each stored row, before it is inserted, removed, or given other radii because a
   /// neighbour is. O(sectors).
   void keep_row(Clay& clay, int stored) noexcept;
@@ -40,16 +42,19 @@ class History {
   void note_inserted(int j) noexcept { note({j, true, false}); }
   void note_erased(int j, bool solid) noexcept { note({j, false, solid}); }
   /// Ends the step and keeps what was before to the last bit: at most about `element_budget`
-  /// elements a call, true when done. Until then the clay must not change.
+  /// elements a call, true when done. Until then the clay must not change. What follows counts as
+  /// somebody's doing.
   bool begin_step(Clay& clay, int element_budget) noexcept;
 
+  /// There is a step that somebody made, and the ring still has it.
   bool can_step_back() const;
   /// Number of the step under way; each end adds one, each undo takes one.
   std::uint64_t depth() const { return depth_; }
   /// Time since the clay first changed in the step under way, s.
   double lasted() const { return lasted_; }
-  /// Undoes the last step, at most about `element_budget` elements a call. True when done, or if
-  /// there is nothing to undo. Until then nobody else may change the clay.
+  /// Undoes the last step, and with it the steps in which undone clay only settled. At most about
+  /// `element_budget` elements a call. True when done, or if there is nothing to undo. Until then
+  /// nobody else may change the clay.
   bool step_back_some(Clay& clay, int element_budget) noexcept;
 
   /// Hash of the bookkeeping; radii follow from the input.
@@ -60,6 +65,7 @@ class History {
     std::uint64_t first = 0;        // first of its rows, counted over the ring's whole life,
     std::uint64_t first_place = 0;  // and first of its insertions and removals
     double floor_top = 0.0;
+    bool settles = false;  // no hand has touched the clay since an undo
   };
   struct Slot {
     int row = 0;  // stored row
@@ -73,6 +79,7 @@ class History {
 
   int rows_of(int elements) const { return elements > stride_ ? elements / stride_ : 1; }
   bool keep_up(Clay& clay, int rows) noexcept;
+  void begin_touch(const Clay& clay) noexcept;
   void end_step(const Clay& clay) noexcept;
   void note(PlaceChange change) noexcept;
   void undo_places(Clay& clay, int most) noexcept;
@@ -101,6 +108,7 @@ class History {
   double lasted_ = 0.0;
   int lowest_ = 0;  // lowest restored place whose thickness changed
   bool going_back_ = false;
+  bool settling_ = false;  // from an undo until a hand touches the clay
 };
 
 }  // namespace onggi::clay

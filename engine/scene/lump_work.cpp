@@ -115,14 +115,15 @@ void LumpWork::note_step(const Parts& parts) noexcept {
 void LumpWork::follow(const Parts& parts, bool touching, double seconds) noexcept {
   const HistoryThen does = row_of(state_).history;
   if (parts.history == nullptr || does == HistoryThen::waits) return;
-  bool busy = touching || does == HistoryThen::busy;
+  using Stir = clay::History::Stir;
+  Stir stir = touching || does == HistoryThen::busy ? Stir::touching : Stir::none;
   if (parts.row_effects != nullptr) {
-    busy = busy || parts.row_effects->moving();
+    if (stir == Stir::none && parts.row_effects->moving()) stir = Stir::moving;
     // All rows of a ring come in one step, or undo would leave a part of it.
-    if (parts.row_effects->rises()) busy = true, seconds = 0.0;
+    if (parts.row_effects->rises()) stir = Stir::touching, seconds = 0.0;
     if (parts.row_effects->stands()) stood_at_ = parts.history->depth();
   }
-  parts.history->follow(parts.clay, busy, seconds);
+  parts.history->follow(parts.clay, stir, seconds);
   note_step(parts);
 }
 

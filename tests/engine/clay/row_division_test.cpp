@@ -253,10 +253,11 @@ TEST(RowDivision, HistoryGivesBackEveryStrokeToTheBit) {
         join(clay, j);
         ++joined;
       }
-      history.follow(clay, true, 0.001);
+      history.follow(clay, History::Stir::touching, 0.001);
     }
     // Not all strokes are long over when the next begins.
-    for (int n = 0; n < (stroke % 2 == 0 ? 410 : 1000); ++n) history.follow(clay, false, 0.001);
+    for (int n = 0; n < (stroke % 2 == 0 ? 410 : 1000); ++n)
+      history.follow(clay, History::Stir::none, 0.001);
   }
   EXPECT_GT(divided, 200);
   EXPECT_GT(joined, 100);

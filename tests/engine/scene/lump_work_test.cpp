@@ -127,6 +127,42 @@ TEST(LumpWork, WhatIsTakenBackIsAllTheClayThereWas) {
   }
 }
 
+// A cut of four seconds is two steps. Clay that is taken back from the edge between them gets a
+// little higher, and that is nobody's step.
+TEST(LumpWork, ACutLongerThanAStepIsTakenBackWholeStepByStep) {
+  SceneDef def;
+  def.clay.rows = 120;
+  def.clay.sectors = 90;
+  def.clay.outer_radius = 0.05;
+  def.clay.inner_radius = 0.042;
+  def.volume.emplace();
+  Scene scene = std::move(*Scene::create(def));
+  const double lump = scene.clay().volume();
+  Hands hands;
+  hands.wheel_speed = 15.0;
+  for (std::uint8_t n = 0; n < scene.def().tools.size(); ++n)
+    if (scene.def().tools[n].name == "loop_trimmer") hands.hand[0].tool = n + 1;
+  ASSERT_GT(hands.hand[0].tool, 0);
+  hands.hand[0].active = true;
+  hands.hand[0].side = SideWish::outside;
+  for (int t = 0; t < 4000; ++t) {
+    hands.hand[0].position = {0.052 - 1e-6 * t, 0.03 + 1e-5 * t, 0.0};
+    scene.step(hands, 0.001);
+  }
+  hands.hand[0].active = false;
+  for (int t = 0; t < 1000; ++t) scene.step(hands, 0.001);
+  ASSERT_LT(scene.clay().volume(), 0.9 * lump);
+  int undone = 0;
+  for (; scene.can_restore() && undone < 10; ++undone) {
+    hands.restore = true;
+    scene.step(hands, 0.001);
+    hands.restore = false;
+    for (int t = 0; t < 1000; ++t) scene.step(hands, 0.001);
+  }
+  EXPECT_EQ(undone, 2);
+  EXPECT_NEAR(scene.clay().volume() / lump, 1.0, 1e-8);
+}
+
 // A rim that is pressed gets its girth some ticks later: what was on its way comes all the same.
 TEST(LumpWork, WhatAPressedRimWasStillOwedComesToTheClayThatIsTakenBack) {
   SceneDef def;
