@@ -274,6 +274,9 @@ TEST(edit, on_a_disk_that_takes_nothing_leaves_the_old_file_whole) {
 TEST(edit, of_a_user_without_rights_is_told_to_say_sudo) {
   if (::geteuid() != 0) GTEST_SKIP() << "Only root can become another user.";
   const SmallSite site;
+  // The copies have the checkout's rights, and that may be one user's alone.
+  for (const auto& entry : fs::recursive_directory_iterator(site.path()))
+    fs::permissions(entry, fs::perms(entry.is_directory() ? 0755 : 0644));
   const auto before = site.texts();
   for (const char* shut : {".", "config"}) {
     fs::permissions(site.path(), fs::perms(0777));
@@ -282,9 +285,11 @@ TEST(edit, of_a_user_without_rights_is_told_to_say_sudo) {
     const int status = in_child([&] {
       if (::setuid(65534) != 0) return false;
       const auto done = set(site, "idle.warn_after", "90");
-      return !done && done.error().exit_code == 1 &&
-             done.error().what.find("The file is as it was.") != std::string::npos &&
-             done.error().remedy.starts_with("Write sudo before the command.");
+      const bool told = !done && done.error().exit_code == 1 &&
+                        done.error().what.find("The file is as it was.") != std::string::npos &&
+                        done.error().remedy.starts_with("Write sudo before the command.");
+      if (!told) ADD_FAILURE() << (done ? "it was done" : to_text(done.error()));
+      return told;
     });
     EXPECT_EQ(status, 0) << shut;
     EXPECT_EQ(site.texts(), before);
