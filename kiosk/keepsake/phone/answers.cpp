@@ -6,6 +6,7 @@
 
 #include "kiosk/keepsake/phone/page_files.h"
 #include "kiosk/keepsake/phone/probes.h"
+#include "kiosk/keepsake/phone/sent_keepsake.h"
 #include "kiosk/keepsake/phone/visitors_page.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
@@ -32,34 +33,9 @@ const PageFile kPageFiles[] = {{"/page.js", "text/javascript; charset=utf-8", k_
                                {"/page.css", "text/css; charset=utf-8", k_page_css},
                                {"/page.svg", "image/svg+xml", k_page_svg}};
 
-/// The value of `name` in the text after a '?'.
-std::string asked_for(std::string_view query, std::string_view name) {
-  while (!query.empty()) {
-    const auto end = std::min(query.find('&'), query.size());
-    const std::string_view one = query.substr(0, end);
-    query.remove_prefix(std::min(end + 1, query.size()));
-    if (one.size() > name.size() && one.starts_with(name) && one[name.size()] == '=')
-      return std::string(one.substr(name.size() + 1));
-  }
-  return {};
-}
-
-/// The file, or what `ask` wants of it.
-Answer part_of(souvenir::KeepsakeFile opened, const File& file, const Ask& ask) {
-  // A phone goes on where it stopped, but not into another file.
-  const bool same = ask.if_range.empty() || ask.if_range == '"' + opened.tag + '"';
-  const ByteRange range = byte_range(same ? ask.range : "", opened.size);
-  Answer answer{.status = 200, .type = file.type, .file_name = file.saved ? file.name : ""};
-  if (range.kind == ByteRange::Kind::span) answer.status = 206;
-  if (range.kind == ByteRange::Kind::beyond) answer = {.status = 416, .type = ""};
-  answer.span = range.span;
-  answer.file = std::move(opened);
-  return answer;
-}
-
 }  // namespace
 
-Answer Answers::nothing_here(const Ask& ask) const {
+web::Answer Answers::nothing_here(const web::Ask& ask) const {
   const PhoneWords* own = languages_.liked(ask.languages);
   return {.body = sentence_page(own != nullptr ? *own : languages_.all().front(), "nothing")};
 }
@@ -71,7 +47,7 @@ void Answers::tell_once(const Problem& remark) {
   if (told_.size() < kMostTold && told_.insert(to_text(remark)).second) tell_(remark);
 }
 
-Answer Answers::to(const Ask& ask) {
+web::Answer Answers::to(const web::Ask& ask) {
   const std::string_view target = ask.target;
   const bool get = ask.method == "GET" || ask.method == "HEAD";
   if (get)
@@ -94,8 +70,7 @@ Answer Answers::to(const Ask& ask) {
   if (!pass) return nothing_here(ask);
   // Use the visit's language unless the request asks for another.
   const PhoneWords* own = languages_.liked(ask.languages);
-  const PhoneWords* words =
-      languages_.of(asked_for(target.substr(std::min(mark + 1, target.size())), "lang"));
+  const PhoneWords* words = languages_.of(web::asked_for(target, "lang"));
   for (const PhoneWords* other : {languages_.of(pass->language), own, &languages_.all().front()})
     if (words == nullptr) words = other;
   if (ask.method == "POST" && what == "delete") {
@@ -118,7 +93,9 @@ Answer Answers::to(const Ask& ask) {
     auto opened = passes_.open_file(*pass, file.name);
     if (!opened) break;
     if (opened->remark) tell_once(*opened->remark);
-    return part_of(std::move(*opened), file, ask);
+    web::Answer answer = part_of(sent(std::move(*opened)), file.type, ask);
+    if (file.saved && answer.status != 416) answer.file_name = file.name;
+    return answer;
   }
   return nothing_here(ask);
 }

@@ -9,29 +9,11 @@
 
 #include "engine/base/result.h"
 #include "kiosk/ground/files/log.h"
-#include "kiosk/keepsake/phone/byte_range.h"
+#include "kiosk/ground/web/message.h"
 #include "kiosk/keepsake/phone/phone_words.h"
 #include "kiosk/keepsake/souvenir/open_passes.h"
 
 namespace onggi::phone {
-
-/// A phone's request.
-struct Ask {
-  std::string method, target;  ///< "GET", "/k/TOKEN"
-  std::string languages{};     ///< Accept-Language
-  std::string range{};         ///< Range: of a file alone,
-  std::string if_range{};      ///< and only if the file still has this tag (If-Range).
-};
-
-/// The answer to it.
-struct Answer {
-  int status = 404;
-  std::string type = "text/html; charset=utf-8";
-  std::string body{};
-  std::string file_name{};  ///< If not empty: the file is saved under this name.
-  std::optional<souvenir::KeepsakeFile> file{};  ///< Its bytes follow the body:
-  Span span{};                                   ///< these.
-};
 
 /// The visitor's page and its files:
 ///   GET  /k/TOKEN               the page: postcard, turning pot, downloads, delete; in the
@@ -43,7 +25,7 @@ struct Answer {
 ///   GET  /generate_204 ...      network checks of phones (probes.h)
 /// HEAD is answered like GET; whoever sends the answer leaves out its content. All other requests,
 /// also with a wrong, expired or deleted token, get the same answer. Uses no socket. One thread.
-class Answers {
+class Answers final : public web::Answering {
  public:
   /// `clock` gives s since 1970. `tell` gets what the staff should know of a file, once each.
   Answers(souvenir::OpenPasses passes, std::function<std::int64_t()> clock,
@@ -54,7 +36,7 @@ class Answers {
         languages_(std::move(languages)),
         tell_(std::move(tell)) {}
 
-  Answer to(const Ask& ask);
+  web::Answer to(const web::Ask& ask) override;
   /// Call it at least once a minute, and again while it returns true: records that the server runs,
   /// and removes expired passes, a few in each call.
   bool look_after() {
@@ -64,7 +46,7 @@ class Answers {
   void end() const { passes_.end_serving(); }
 
  private:
-  Answer nothing_here(const Ask& ask) const;
+  web::Answer nothing_here(const web::Ask& ask) const;
   void tell_once(const Problem& remark);
 
   souvenir::OpenPasses passes_;

@@ -100,6 +100,12 @@ void Passes::take_back(const Pass& pass) const {
   if (is_token(pass.token)) fs::remove(folder() / pass.token, error);
 }
 
+void Passes::take_back_all(const std::string& visit) const {
+  for (const std::string& token : tokens_of(keepsakes_))
+    if (const auto pass = read_pass(keepsakes_, token); pass && *pass && (*pass)->visit == visit)
+      take_back(**pass);
+}
+
 std::set<std::string> Passes::promised(std::int64_t now) const {
   std::vector<Pass> passes;
   std::vector<std::int64_t> given;

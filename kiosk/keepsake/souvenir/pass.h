@@ -32,6 +32,8 @@ class Passes {
                                        double hours);
   /// Removes a pass whose keepsake was not saved.
   void take_back(const Pass& pass) const;
+  /// Removes every pass to `visit`. Reads each pass.
+  void take_back_all(const std::string& visit) const;
   /// The visits whose page is promised to somebody: their pass is not over at `now` (PassAges). One
   /// that a clock gave which was ahead by over a year promises nothing. Reads each pass.
   std::set<std::string> promised(std::int64_t now) const;

@@ -11,7 +11,7 @@
 #include "engine/profile/mesh.h"
 #include "kiosk/collection/content/glb.h"
 #include "kiosk/ground/files/monotonic.h"
-#include "kiosk/keepsake/phone/server.h"
+#include "kiosk/ground/web/server.h"
 #include "kiosk/keepsake/souvenir/printed_pot.h"
 #include "tests/engine/profile/shapes.h"
 #include "tests/kiosk/keepsake/phone/phone_fixture.h"

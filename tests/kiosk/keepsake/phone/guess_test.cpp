@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "kiosk/keepsake/phone/server.h"
+#include "kiosk/ground/web/server.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "tests/kiosk/ground/files/disk.h"
 #include "tests/kiosk/keepsake/phone/phone_client.h"
@@ -101,7 +101,7 @@ TEST_F(Guess, NoneOfManyHitsAndEachCostsTheSameWork) {
 
 TEST_F(Guess, NoneOfManyOverASocketHearsAnythingButTheOneAnswer) {
   Answers answers(open_, [] { return kNow + 60; });
-  auto server = Server::listen("127.0.0.1", 0, answers);
+  auto server = web::Server::listen("127.0.0.1", 0, answers);
   ASSERT_TRUE(server);
   std::thread runs([&] { (*server)->run([] { return false; }); });
   const auto hear = [&](const std::string& target) {

@@ -31,35 +31,6 @@ LANGUAGES = {p.stem: tomllib.loads(p.read_text()) for p in sorted((ROOT / "conte
 # A narrow phone, and a tablet held upright.
 SIZES = {"phone": (360, 640), "tablet": (820, 1180)}
 
-# What is cut off, lies outside, or stands out too little from what is behind it (WCAG 2.1, AA: 4.5 to 1).
-LAYOUT = """(() => {
-  const found = [], wide = document.documentElement.clientWidth;
-  if (document.documentElement.scrollWidth > wide) found.push("the page scrolls sideways");
-  const parts = (c) => c.match(/[\\d.]+/g).map(Number);
-  const behind = (e) => {
-    for (; e; e = e.parentElement) { const c = parts(getComputedStyle(e).backgroundColor); if (c[3] !== 0) return c; }
-    return [255, 255, 255];
-  };
-  const light = (c) => {
-    const [r, g, b] = c.slice(0, 3).map((v) => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
-    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-  };
-  let words = 0;
-  for (const e of document.querySelectorAll("body *")) {
-    if (!e.checkVisibility()) continue;
-    const box = e.getBoundingClientRect(), name = e.tagName + " " + e.textContent.slice(0, 30);
-    if (box.left < -0.5 || box.right > wide + 0.5) found.push(name + " lies outside");
-    if (e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0) found.push(name + " is cut off");
-    if (![...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim())) continue;
-    ++words;
-    const a = light(parts(getComputedStyle(e).color)), b = light(behind(e));
-    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-    if (contrast < 4.5) found.push(name + " stands out by " + contrast.toFixed(2) + " only");
-    if (/^(A|SUMMARY|BUTTON)$/.test(e.tagName) && box.height < 44) found.push(name + " is too low for a finger");
-  }
-  return { found, words };
-})()"""
-
 # The pot as it is drawn two frames from now, 48 x 48 and see-through round it.
 POT = """new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
   const small = document.createElement("canvas"), on = small.getContext("2d", { willReadFrequently: true });
@@ -187,7 +158,7 @@ class PageTest(unittest.TestCase):
 
     def looked_at(self, page, name):
         """Nothing on it is amiss, and nobody but the kiosk was asked."""
-        looks = page.value(LAYOUT)
+        looks = page.value(browsers.LAYOUT)
         self.assertEqual(looks["found"], [], name)
         self.assertGreater(looks["words"], 0, name)
         self.assertEqual(page.complaints(), [], name)
@@ -382,7 +353,7 @@ class PageTest(unittest.TestCase):
               setTimeout(() => console.error("wrong"))""")
             self.browser.until(lambda: len(page.complaints()) >= 2, "complaints")
             self.assertTrue(any("Content Security Policy" in c for c in page.complaints()), page.complaints())
-            found = page.value(LAYOUT)["found"]
+            found = page.value(browsers.LAYOUT)["found"]
             self.assertTrue(any("stands out" in f for f in found) and any("outside" in f for f in found), found)
 
 

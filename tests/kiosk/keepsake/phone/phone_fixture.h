@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "kiosk/keepsake/phone/server.h"
+#include "kiosk/ground/web/server.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "tests/kiosk/ground/files/disk.h"
 #include "tests/kiosk/keepsake/phone/phone_client.h"
@@ -34,9 +34,9 @@ class PhoneTest : public ::testing::Test {
   }
   void TearDown() override { stop(); }
   /// Serves, from now on, with these limits.
-  void serve(const Server::Limits& limits) {
+  void serve(const web::Server::Limits& limits) {
     stop();
-    auto server = Server::listen("127.0.0.1", 0, answers_, limits);
+    auto server = web::Server::listen("127.0.0.1", 0, answers_, limits);
     ASSERT_TRUE(server) << to_text(server.error());
     server_ = std::move(*server);
     runs_ = std::thread([this] { server_->run([] { return false; }); });
@@ -68,7 +68,7 @@ class PhoneTest : public ::testing::Test {
   Answers answers_{souvenir::OpenPasses(keepsakes_), [this] { return now_.load(); },
                    PhoneLanguages::read("content/languages", remarks_),
                    [this](const Problem& remark) { told_.push_back(remark); }};
-  std::unique_ptr<Server> server_;
+  std::unique_ptr<web::Server> server_;
   std::thread runs_;
 };
 

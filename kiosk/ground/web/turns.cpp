@@ -1,8 +1,8 @@
-#include "kiosk/keepsake/phone/turns.h"
+#include "kiosk/ground/web/turns.h"
 
 #include <utility>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 void Turns::add(const std::string& address, Work work) {
   auto& own = waiting_[address];
@@ -24,4 +24,4 @@ void Turns::next() {
   work();
 }
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/byte_range.h"
+#include "kiosk/ground/web/byte_range.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace onggi::phone::byte_range_test {
+namespace onggi::web::byte_range_test {
 namespace {
 
 using Kind = ByteRange::Kind;
@@ -61,4 +61,4 @@ TEST(ByteRange, WhereverAPhoneStoppedTheRestIsWhatItLacks) {
 }
 
 }  // namespace
-}  // namespace onggi::phone::byte_range_test
+}  // namespace onggi::web::byte_range_test

@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/descriptor_limit.h"
+#include "kiosk/ground/web/descriptor_limit.h"
 
 #include <sys/resource.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::size_t descriptor_limit(std::size_t wanted) {
   return said_by_the_system();
 }
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

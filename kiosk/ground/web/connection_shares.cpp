@@ -1,6 +1,6 @@
-#include "kiosk/keepsake/phone/connection_shares.h"
+#include "kiosk/ground/web/connection_shares.h"
 
-namespace onggi::phone {
+namespace onggi::web {
 
 ConnectionShares::Entry ConnectionShares::enter(const std::string& address) {
   const auto own = addresses_.find(address);
@@ -71,4 +71,4 @@ void ConnectionShares::put_counts(Addresses::iterator at) {
   most_.insert(all_of(at));
 }
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/sending.h"
+#include "kiosk/ground/web/sending.h"
 
 #include <linux/sockios.h>
 #include <sys/ioctl.h>
@@ -12,7 +12,7 @@
 #include <cerrno>
 #include <span>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 namespace {
 
@@ -44,15 +44,15 @@ Sending::Step Sending::step(int socket) {
 std::int64_t Sending::send_part(int socket) {
   const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(left_, kPiece));
   auto at = static_cast<off_t>(at_);
-  if (!stl_) return ::sendfile(socket, file_.get(), &at, size);
+  if (!file_.made) return ::sendfile(socket, file_.file.get(), &at, size);
   std::array<std::byte, kPiece> piece;
-  if (!stl_->read(file_, at_, std::span(piece).first(size))) return 0;
+  if (!file_.made(file_.file, at_, std::span(piece).first(size))) return 0;
   return ::send(socket, piece.data(), size, MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
 bool Sending::deleted() const {
   struct stat info {};
-  return file_.open() && ::fstat(file_.get(), &info) == 0 && info.st_nlink == 0;
+  return file_.file.open() && ::fstat(file_.file.get(), &info) == 0 && info.st_nlink == 0;
 }
 
 std::optional<std::size_t> unconfirmed(int socket) {
@@ -67,4 +67,4 @@ void keep_small(int socket) {
       ::setsockopt(socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kMostThatWaits, sizeof kMostThatWaits));
 }
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 /// Work that waits for the server's one thread, by the address that it is for. The addresses take
 /// turns, a piece of work each, so thousands of downloads from one address make a phone at another
@@ -25,4 +25,4 @@ class Turns {
   std::deque<std::string> order_;  // the keys of waiting_; the first is next
 };
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

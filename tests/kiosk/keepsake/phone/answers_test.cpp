@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/server.h"
+#include "kiosk/keepsake/phone/answers.h"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@
 #include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "tests/kiosk/keepsake/phone/phone_fixture.h"
 
-namespace onggi::phone::server_test {
+namespace onggi::phone::answers_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -186,14 +186,14 @@ TEST(Listening, AnAddressHasItsPortBehindItAndOneOfTheSixthKindMayStandInBracket
       {"127.0.0.1:8080", "127.0.0.1"},         {"[::1]:8080", "::1"}, {"::1:8080", "::1"},
       {"[fe80::1%eth0]:8080", "fe80::1%eth0"}, {":8080", ""},         {"[::]:8080", "::"}};
   for (const auto& [text, address] : wanted) {
-    const auto found = listening(text);
+    const auto found = web::listening(text);
     ASSERT_TRUE(found) << text;
     EXPECT_EQ(found->address, address);
     EXPECT_EQ(found->port, 8080);
   }
   for (const char* text : {"", "8080", "127.0.0.1", "127.0.0.1:", "127.0.0.1:80a", "[::1]",
                            "127.0.0.1:65536", "127.0.0.1:-1", "127.0.0.1: 80"})
-    EXPECT_FALSE(listening(text)) << text;
+    EXPECT_FALSE(web::listening(text)) << text;
 }
 
 TEST_F(PhoneTest, AHundredPassesAreAllDifferentAndUseEveryLetterAlike) {
@@ -301,4 +301,4 @@ TEST_F(PhoneTest, APhoneThatAsksWhetherItsNetworkIsGoodIsToldSoToTheByte) {
 }
 
 }  // namespace
-}  // namespace onggi::phone::server_test
+}  // namespace onggi::phone::answers_test

@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/byte_range.h"
+#include "kiosk/ground/web/byte_range.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <system_error>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 namespace {
 
@@ -43,4 +43,4 @@ ByteRange byte_range(std::string_view header, std::uint64_t size) {
   return {ByteRange::Kind::span, span};
 }
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/connection_shares.h"
+#include "kiosk/ground/web/connection_shares.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::phone::connection_shares_test {
+namespace onggi::web::connection_shares_test {
 namespace {
 
 TEST(ConnectionShares, IdleOnesOfOneAddressGoBeforeAnybodyElse) {
@@ -135,4 +135,4 @@ TEST(ConnectionShares, NobodyWhoHoldsLittleIsClosedForWhoeverHoldsMuch) {
 }
 
 }  // namespace
-}  // namespace onggi::phone::connection_shares_test
+}  // namespace onggi::web::connection_shares_test

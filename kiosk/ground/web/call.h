@@ -11,12 +11,12 @@
 #include <memory>
 #include <optional>
 
-#include "kiosk/keepsake/phone/answers.h"
-#include "kiosk/keepsake/phone/sending.h"
+#include "kiosk/ground/web/message.h"
+#include "kiosk/ground/web/sending.h"
 
-namespace onggi::phone {
+namespace onggi::web {
 
-/// How long a phone is waited for.
+/// How long a browser is waited for.
 struct Patience {
   std::chrono::milliseconds asking{5000};     ///< From the connection to the whole request.
   std::chrono::milliseconds progress{10000};  ///< Without a byte that arrives; also what a download
@@ -31,7 +31,7 @@ class Call : public std::enable_shared_from_this<Call> {
   using Work = std::function<void()>;
   /// `in_turn` is given each piece of work, and does it when it is this phone's turn. `asked` is
   /// called when the request is whole, `closed` when the call goes.
-  Call(boost::asio::ip::tcp::socket socket, Answers& answers, const Patience& patience,
+  Call(boost::asio::ip::tcp::socket socket, Answering& answers, const Patience& patience,
        std::function<void(Work)> in_turn, Work asked, Work closed);
   ~Call();
   Call(const Call&) = delete;
@@ -55,7 +55,7 @@ class Call : public std::enable_shared_from_this<Call> {
   boost::asio::steady_timer timer_;
   boost::beast::flat_buffer buffer_;
   boost::beast::http::request_parser<boost::beast::http::string_body> parser_;
-  Answers& answers_;
+  Answering& answers_;
   Patience patience_;
   std::function<void(Work)> in_turn_;
   Work asked_, closed_;
@@ -65,4 +65,4 @@ class Call : public std::enable_shared_from_this<Call> {
   std::optional<Clock::time_point> deleted_{};  // when the file was first seen to be deleted
 };
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

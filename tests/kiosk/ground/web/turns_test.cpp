@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/turns.h"
+#include "kiosk/ground/web/turns.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace onggi::phone::turns_test {
+namespace onggi::web::turns_test {
 namespace {
 
 TEST(Turns, AnAddressWithMuchWorkMakesAnotherWaitForOnePiece) {
@@ -67,4 +67,4 @@ TEST(Turns, WorkMayAddWorkAndItComesAfterThatOfOthers) {
 }
 
 }  // namespace
-}  // namespace onggi::phone::turns_test
+}  // namespace onggi::web::turns_test

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 /// Bytes [from, from + length) of a file.
 struct Span {
@@ -25,4 +25,4 @@ struct ByteRange {
 /// `header` ("bytes=500-", "bytes=0-99", "bytes=-100") of a file of `size` bytes. Total: any text.
 ByteRange byte_range(std::string_view header, std::uint64_t size);
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

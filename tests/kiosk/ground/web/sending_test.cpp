@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/sending.h"
+#include "kiosk/ground/web/sending.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::phone::sending_test {
+namespace onggi::web::sending_test {
 namespace {
 
 class SendingTest : public ::testing::Test {
@@ -23,7 +23,9 @@ class SendingTest : public ::testing::Test {
   void TearDown() override {
     for (const int end : ends_) ::close(end);
   }
-  files::Descriptor opened() const { return files::Descriptor(::open(file_.c_str(), O_RDONLY)); }
+  SentFile opened() const {
+    return {.file = files::Descriptor(::open(file_.c_str(), O_RDONLY)), .size = bytes_.size()};
+  }
   /// What the phone has by now.
   void take() {
     char some[4096];
@@ -77,4 +79,4 @@ TEST_F(SendingTest, AFileThatIsDeletedIsSeenToBeAndOneThatGotShorterEndsTheAnswe
 }
 
 }  // namespace
-}  // namespace onggi::phone::sending_test
+}  // namespace onggi::web::sending_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 /// Which connections are open, by the address that they come from, and which one has to go when
 /// one more comes. Uses no socket. A connection is silent until it has asked for something.
@@ -80,4 +80,4 @@ class ConnectionShares {
   std::unordered_map<Number, std::string> addresses_of_;
 };
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

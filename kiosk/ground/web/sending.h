@@ -6,27 +6,20 @@
 #include <string>
 #include <utility>
 
-#include "kiosk/ground/files/descriptor.h"
-#include "kiosk/keepsake/phone/byte_range.h"
-#include "kiosk/keepsake/souvenir/stl.h"
+#include "kiosk/ground/web/message.h"
 
-namespace onggi::phone {
+namespace onggi::web {
 
 /// An answer on its way into a socket: text, then part of a file. The file's bytes go from the
-/// disk's cache to the socket (sendfile) and are never in this process; an STL is made a piece at a
-/// time. One thread.
+/// disk's cache to the socket (sendfile) and are never in this process; bytes that are made of it
+/// are made a piece at a time. One thread.
 class Sending {
  public:
   /// Bytes of one step(), at most: phones take turns.
   static constexpr std::size_t kPiece = 16384;
 
-  Sending(std::string text, files::Descriptor file, Span span,
-          std::optional<souvenir::StlOfPot> stl = {})
-      : text_(std::move(text)),
-        file_(std::move(file)),
-        stl_(std::move(stl)),
-        at_(span.from),
-        left_(span.length) {}
+  Sending(std::string text, SentFile file, Span span)
+      : text_(std::move(text)), file_(std::move(file)), at_(span.from), left_(span.length) {}
 
   enum class Step {
     more,    ///< Wait until the socket takes more.
@@ -47,9 +40,8 @@ class Sending {
 
   std::string text_;
   std::size_t said_ = 0;  // bytes of text_
-  files::Descriptor file_;
-  std::optional<souvenir::StlOfPot> stl_;  // of that file
-  std::uint64_t at_, left_;                // of what is sent
+  SentFile file_;
+  std::uint64_t at_, left_;  // of what is sent
   std::uint64_t given_ = 0;
 };
 
@@ -59,4 +51,4 @@ std::optional<std::size_t> unconfirmed(int socket);
 /// Keeps what waits in the system for `socket` small: 64 KiB that are not on their way yet.
 void keep_small(int socket);
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

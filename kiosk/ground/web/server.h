@@ -7,10 +7,10 @@
 #include <string>
 
 #include "engine/base/result.h"
-#include "kiosk/keepsake/phone/answers.h"
-#include "kiosk/keepsake/phone/call.h"
+#include "kiosk/ground/web/call.h"
+#include "kiosk/ground/web/message.h"
 
-namespace onggi::phone {
+namespace onggi::web {
 
 /// An address with a port, as somebody writes it: "127.0.0.1:8080", "[::1]:8080" or "::1:8080".
 struct Listening {
@@ -20,7 +20,7 @@ struct Listening {
 /// Problem, exit 2, if `text` is none. Whether the machine has the address is not asked.
 Result<Listening> listening(const std::string& text);
 
-/// Answers phones over HTTP/1.1 on one thread: small requests, no keep-alive. Writes no log of
+/// Answers browsers over HTTP/1.1 on one thread: small requests, no keep-alive. Writes no log of
 /// requests.
 class Server {
  public:
@@ -33,9 +33,9 @@ class Server {
   /// Listens at `address` (an IP of this machine) and `port` (0: any free one). Problem, exit 1, if
   /// it cannot.
   static Result<std::unique_ptr<Server>> listen(const std::string& address, std::uint16_t port,
-                                                Answers& answers, const Limits& limits);
+                                                Answering& answers, const Limits& limits);
   static Result<std::unique_ptr<Server>> listen(const std::string& address, std::uint16_t port,
-                                                Answers& answers) {
+                                                Answering& answers) {
     return listen(address, port, answers, Limits());
   }
   ~Server();
@@ -53,4 +53,4 @@ class Server {
   std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/call.h"
+#include "kiosk/ground/web/call.h"
 
 #include <sys/socket.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 namespace {
 
@@ -50,9 +50,11 @@ std::string head_of(const Answer& given) {
                    std::to_string(given.span.from + given.span.length - 1) + of);
     if (given.status == 416) head.set(http::field::content_range, "bytes *" + of);
   }
+  for (const auto& [name, value] : given.fields) head.set(name, value);
   head.keep_alive(false);
   // RFC 9110, 8.6: an answer without content has no length, and phones check that.
-  if (given.status != 204) head.content_length(given.body.size() + given.span.length);
+  if (given.status != 204 && given.status != 304)
+    head.content_length(given.body.size() + given.span.length);
   std::ostringstream text;
   text << head;
   return std::move(text).str();
@@ -60,7 +62,7 @@ std::string head_of(const Answer& given) {
 
 }  // namespace
 
-Call::Call(Tcp::socket socket, Answers& answers, const Patience& patience,
+Call::Call(Tcp::socket socket, Answering& answers, const Patience& patience,
            std::function<void(Work)> in_turn, Work asked, Work closed)
     : socket_(std::move(socket)),
       timer_(socket_.get_executor()),
@@ -110,6 +112,12 @@ void Call::answer() {
   ask.languages = std::string(request[http::field::accept_language]);
   ask.range = std::string(request[http::field::range]);
   ask.if_range = std::string(request[http::field::if_range]);
+  ask.host = std::string(request[http::field::host]);
+  ask.origin = std::string(request[http::field::origin]);
+  ask.cookie = std::string(request[http::field::cookie]);
+  ask.type = std::string(request[http::field::content_type]);
+  ask.if_none_match = std::string(request[http::field::if_none_match]);
+  ask.body = request.body();
   // HEAD asks for the head of the answer to GET.
   send(answers_.to(ask), ask.method != "HEAD");
 }
@@ -127,10 +135,9 @@ void Call::refuse_head() {
 void Call::send(Answer given, bool content) {
   std::string text = head_of(given);
   if (content) text += given.body;
-  souvenir::KeepsakeFile file;
+  SentFile file;
   if (given.file) file = std::move(*given.file);
-  sending_.emplace(std::move(text), std::move(file.file), content ? given.span : Span{},
-                   std::move(file.stl));
+  sending_.emplace(std::move(text), std::move(file), content ? given.span : Span{});
   error_code error;
   socket_.native_non_blocking(true, error);
   keep_small(socket_.native_handle());
@@ -188,4 +195,4 @@ void Call::end_if_nothing_moves() {
   watch();
 }
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

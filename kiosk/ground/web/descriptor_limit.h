@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
-namespace onggi::phone {
+namespace onggi::web {
 
 /// Files and connections that this process may have open at once; first raised to `wanted` as far
 /// as the system lets it.
 std::size_t descriptor_limit(std::size_t wanted);
 
-}  // namespace onggi::phone
+}  // namespace onggi::web

@@ -1,4 +1,4 @@
-#include "kiosk/keepsake/phone/server.h"
+#include "kiosk/ground/web/server.h"
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
@@ -13,11 +13,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "kiosk/keepsake/phone/connection_shares.h"
-#include "kiosk/keepsake/phone/descriptor_limit.h"
-#include "kiosk/keepsake/phone/turns.h"
+#include "kiosk/ground/web/connection_shares.h"
+#include "kiosk/ground/web/descriptor_limit.h"
+#include "kiosk/ground/web/turns.h"
 
-namespace onggi::phone {
+namespace onggi::web {
 
 namespace {
 
@@ -63,9 +63,9 @@ Result<Listening> listening(const std::string& text) {
 }
 
 struct Server::Inside {
-  Inside(Answers& of, const Limits& limits)
+  Inside(Answering& of, const Limits& limits)
       : answers(of), patience(limits.patience), shares(most_at_once(limits.connections)) {}
-  Answers& answers;
+  Answering& answers;
   Patience patience;
   ConnectionShares shares;
   std::unordered_map<ConnectionShares::Number, std::weak_ptr<Call>> calls;
@@ -145,7 +145,7 @@ Server::Server(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
 Server::~Server() = default;
 
 Result<std::unique_ptr<Server>> Server::listen(const std::string& address, std::uint16_t port,
-                                               Answers& answers, const Limits& limits) {
+                                               Answering& answers, const Limits& limits) {
   const bool v6 = address.find(':') != std::string::npos;
   const std::string where = (v6 ? '[' + address + ']' : address) + ':' + std::to_string(port);
   error_code error;
@@ -161,7 +161,7 @@ Result<std::unique_ptr<Server>> Server::listen(const std::string& address, std::
   if (!error) inside->acceptor.non_blocking(true, error);
   if (!error) inside->acceptor.listen(Tcp::acceptor::max_listen_connections, error);
   if (error)
-    return problem(where, "The server for phones cannot start: " + error.message() + ".",
+    return problem(where, "The server cannot start: " + error.message() + ".",
                    "Name an address of this machine and a free port.", 1);
   return std::unique_ptr<Server>(new Server(std::move(inside)));
 }
@@ -182,4 +182,4 @@ void Server::run(const std::function<bool()>& look_after) {
 
 void Server::stop() { inside_->context.stop(); }
 
-}  // namespace onggi::phone
+}  // namespace onggi::web
