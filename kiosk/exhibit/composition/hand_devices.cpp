@@ -194,6 +194,12 @@ std::vector<InputEvent> HandDevices::frame(double now) {
   return events;
 }
 
+std::vector<std::string> HandDevices::plugged_in() const {
+  std::vector<std::string> names;
+  for (const InUse& used : used_) names.emplace_back(device::info_of(used.link->kind()).name);
+  return names;
+}
+
 std::vector<std::string> HandDevices::remarks() { return std::exchange(remarks_, {}); }
 
 }  // namespace onggi::exhibit

@@ -34,6 +34,8 @@ class HandDevices {
   std::uint64_t moves() const { return moves_; }
   /// News for visitors.
   const screens::DeviceNews& news() const { return news_; }
+  /// Names of the devices in use, for staff.
+  std::vector<std::string> plugged_in() const;
   /// Messages for staff, each once.
   std::vector<std::string> remarks();
   std::vector<Problem> problems() { return watch_.problems(); }

@@ -108,6 +108,10 @@ class Kiosk {
     return missions_->card(index, shelf_->cards());
   }
   const std::vector<content::Glaze>& glazes() const { return scenes_->glazes(); }
+  /// Names of the hand devices that are plugged in.
+  std::vector<std::string> plugged_in() const {
+    return devices_ ? devices_->plugged_in() : std::vector<std::string>();
+  }
   /// For reports, scripted visitors and the service.
   Doing doing() const;
 

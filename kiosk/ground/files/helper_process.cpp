@@ -138,7 +138,8 @@ Result<std::vector<std::byte>> run_helper(const Helper& helper) {
                     " s and was stopped. " + last_words(words),
                 "The disk may be failing. Check the system log.");
   }
-  if (child->status() != 0) {
+  const int status = child->status();
+  if (status != 0 && !(WIFEXITED(status) && WEXITSTATUS(status) == helper.also_good)) {
     return told("The helper " + how_it_ended(child->status()) + ". " + last_words(words),
                 "Install its libraries (bash kiosk/start does this), and free some memory.");
   }

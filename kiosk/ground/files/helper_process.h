@@ -21,6 +21,7 @@ struct Helper {
   double timeout_s = 20.0;
   std::size_t most_bytes = 1u << 20;  ///< Largest output allowed.
   const char* answer = "answer";      ///< What its output is called in a Problem: "picture".
+  int also_good = 0;                  ///< An exit status with which its output is whole too.
 };
 
 /// Starts the helper, sends head and body, collects its standard output until it ends, and always

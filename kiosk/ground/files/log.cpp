@@ -3,6 +3,9 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <ctime>
+#include <mutex>
+
 #include "engine/base/plain_text.h"
 
 namespace onggi::files {
@@ -17,12 +20,25 @@ spdlog::logger& logger() {
   }();
   return *log;
 }
+
+std::mutex trouble_mutex;
+std::optional<Trouble> trouble;  // guarded by it
 }  // namespace
 
 void log_line(const std::string& line) { logger().info("{}", terminal::plain(line)); }
-void log_problem(const Problem& p) { logger().warn("{}", to_text(p)); }
+void log_problem(const Problem& p) {
+  logger().warn("{}", to_text(p));
+  const std::lock_guard lock(trouble_mutex);
+  trouble =
+      Trouble{p, static_cast<std::int64_t>(std::time(nullptr)), trouble ? trouble->count + 1 : 1};
+}
 void log_problems(const std::vector<Problem>& problems) {
   for (const Problem& p : problems) log_problem(p);
+}
+
+std::optional<Trouble> last_trouble() {
+  const std::lock_guard lock(trouble_mutex);
+  return trouble;
 }
 
 }  // namespace onggi::files

@@ -13,6 +13,7 @@
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/picture/render/window_size.h"
 #include "kiosk/program/commands/commands.h"
+#include "kiosk/program/commands/posted_state.h"
 #include "kiosk/program/commands/service_run.h"
 
 namespace onggi::commands {
@@ -30,13 +31,15 @@ enum class Ending { asked_to, reload };
 /// Runs the exhibit of `options` (the museum's, or one that `stands_in` for it) until somebody asks
 /// it to end, or until the museum's has changed and no visitor is here.
 Result<Ending> show_exhibit(const exhibit::KioskOptions& options, bool stands_in,
-                            exhibit::Reload& reload, ServiceRun* service_run) {
+                            exhibit::Reload& reload, ServiceRun* service_run, PostedState& posted) {
   if (service_run != nullptr) service_run->opens(options.config, stands_in);
   auto kiosk = exhibit::Kiosk::open(options);
   if (!kiosk) return tl::unexpected(kiosk.error());
   if (service_run != nullptr) service_run->shows(**kiosk);
+  posted.shows(**kiosk, options.config, stands_in);
   bool first = true;
   while (asked_to_stop == 0 && (*kiosk)->frame(files::monotonic_seconds())) {
+    posted.look(**kiosk, files::monotonic_seconds());
     if (service_run != nullptr) service_run->look(**kiosk);
     if (!(*kiosk)->doing().open_to_visitors) continue;
     if (std::exchange(first, false))
@@ -55,10 +58,11 @@ Result<int> open_exhibit(const exhibit::KioskOptions& museums, ServiceRun* servi
   using exhibit::Reload;
   std::optional<exhibit::KioskOptions> safer;
   if (service_run != nullptr) safer = service_run->safer(museums);
+  PostedState posted;
   Reload reload(museums.config, safer ? Reload::Shown::another : Reload::Shown::this_one);
   for (;;) {
     const auto ending =
-        show_exhibit(safer ? *safer : museums, safer.has_value(), reload, service_run);
+        show_exhibit(safer ? *safer : museums, safer.has_value(), reload, service_run, posted);
     if (!ending) return tl::unexpected(ending.error());
     if (*ending == Ending::asked_to) break;
     reload.taken_up();

@@ -8,6 +8,7 @@
 #include "kiosk/ground/files/log.h"
 #include "kiosk/ground/files/monotonic.h"
 #include "kiosk/ground/files/paths.h"
+#include "kiosk/program/commands/posted_state.h"
 #include "kiosk/program/watch/last_good.h"
 #include "kiosk/program/watch/service.h"
 
@@ -94,19 +95,7 @@ void ServiceRun::shows(const exhibit::Kiosk& kiosk) {
 }
 
 void ServiceRun::look(exhibit::Kiosk& kiosk) {
-  const loop::LoopStatus status = kiosk.wheel_host().status();
-  ++health_.frames;
-  health_.wakes = status.deadlines.wakes;
-  health_.late = status.deadlines.late;
-  health_.overruns = status.deadlines.overruns;
-  health_.lost_ticks = status.deadlines.lost_ticks;
-  health_.worst_wake_s = 1e-6 * status.deadlines.worst_wake_us;
-  health_.dark = kiosk.doing().dark;
-  health_.kept = kiosk.doing().saved.kept;
-  health_.not_kept = kiosk.doing().saved.refused;
-  const auto room = kiosk.doing().room.value_or(souvenir::Room{});
-  health_.promised_bytes = room.promised;
-  health_.quota_bytes = room.quota;
+  count_frame(kiosk, health_);
   const watch::Health all = watch::together(before_, health_);
   watchdog_->look({all.frames, all.wakes, kiosk.doing().device_moves.value_or(all.frames)}, all,
                   files::monotonic_seconds());
