@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "engine/base/plain_text.h"
-#include "kiosk/collection/content/keepsake_names.h"
-#include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/ground/files/child_process.h"
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/souvenir/printed_pot.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 #include "kiosk/program/commands/commands.h"
+#include "kiosk/program/desk/kept.h"
 
 namespace onggi::commands {
 
@@ -40,71 +40,29 @@ struct KeepsakeArguments {
   std::string name, to, printer, language, keepsakes, config;
 };
 
-/// "2026-05-04_1415" of "2026-05-04 14:15", as it is listed.
-std::string stamp_of(std::string typed) {
-  if (typed.size() <= 10 || typed[10] != ' ') return typed;
-  typed[10] = '_';
-  std::erase(typed, ':');
-  return typed;
+/// "2026-05-04 14:15:03  quiet blue heron  moon_jar"
+std::string line_of(const desk::Kept& kept, const souvenir::NamedVisit& one) {
+  return terminal::plain(desk::day_of(one.visit) + ' ' + desk::time_of(one.visit) + "  " +
+                         kept.said(one) + "  " + desk::vessel_of(one.visit));
 }
 
-/// The keepsakes of a kiosk, with the words of their names.
-struct Kept {
-  fs::path folder;
-  std::string language;
-  content::KeepsakeNames names;
-  std::vector<souvenir::NamedVisit> visits;  ///< Newest first.
+Result<souvenir::NamedVisit> only(const desk::Kept& kept, const std::string& typed) {
+  const auto found = kept.called(typed);
+  if (found.size() == 1) return found.front();
+  if (found.empty())
+    return problem(typed, "No keepsake here has this name.",
+                   "Look for a word of it, or for its time: onggi keepsake find.");
+  return problem(typed, std::to_string(found.size()) + " keepsakes have this in their name.",
+                 "Write all three words, or the date and time: onggi keepsake find \"" + typed +
+                     "\" lists them.");
+}
 
-  std::string said(const souvenir::NamedVisit& one) const {
-    return one.spoken.empty() ? "(no name)" : names.said(one.spoken, language);
-  }
-  /// "2026-05-04 14:15:03  quiet blue heron  moon_jar"
-  std::string line(const souvenir::NamedVisit& one) const {
-    const std::string& stamp = one.visit;
-    return terminal::plain(stamp.substr(0, 10) + ' ' + stamp.substr(11, 2) + ':' +
-                           stamp.substr(13, 2) + ':' + stamp.substr(15, 2) + "  " + said(one) +
-                           "  " + stamp.substr(18));
-  }
-  /// By a word or all of its name in any language, or by how its time begins.
-  std::vector<souvenir::NamedVisit> called(const std::string& typed) const {
-    std::vector<souvenir::NamedVisit> found;
-    for (const souvenir::NamedVisit& one : visits)
-      if (one.visit.starts_with(stamp_of(typed)) ||
-          (!one.spoken.empty() && names.matches(one.spoken, typed)))
-        found.push_back(one);
-    return found;
-  }
-  Result<souvenir::NamedVisit> only(const std::string& typed) const {
-    const auto found = called(typed);
-    if (found.size() == 1) return found.front();
-    if (found.empty())
-      return problem(typed, "No keepsake here has this name.",
-                     "Look for a word of it, or for its time: onggi keepsake find.");
-    return problem(typed, std::to_string(found.size()) + " keepsakes have this in their name.",
-                   "Write all three words, or the date and time: onggi keepsake find \"" + typed +
-                       "\" lists them.");
-  }
-};
-
-Result<Kept> open_kept(const KeepsakeArguments& arguments) {
+Result<desk::Kept> open_kept(const KeepsakeArguments& arguments) {
   const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
-  const settings::Exhibit exhibit = settings::read_exhibit(*config).exhibit;
-  Kept kept;
-  kept.folder =
-      arguments.keepsakes.empty() ? exhibit.keepsake.folder : fs::path(arguments.keepsakes);
-  kept.language = !arguments.language.empty() ? arguments.language
-                  : exhibit.languages.empty() ? "en"
-                                              : exhibit.languages.front();
-  auto names = content::KeepsakeNames::read(content::names_file(*config));
-  for (const Problem& p : names.problems) std::cerr << to_text(p) << '\n';
-  kept.names = std::move(names.names);
-  std::error_code error;
-  const fs::directory_iterator readable(kept.folder, error);
-  if (error)
-    return problem(kept.folder.string(), "The keepsakes cannot be read: " + error.message() + ".",
-                   "Type sudo before the command, or name their folder with --keepsakes.");
-  kept.visits = souvenir::named_visits(kept.folder);
+  std::vector<Problem> remarks;
+  auto kept = desk::open_kept({*config, arguments.keepsakes, arguments.language}, remarks);
+  for (const Problem& p : remarks) std::cerr << to_text(p) << '\n';
   return kept;
 }
 
@@ -113,9 +71,9 @@ Result<int> find(const KeepsakeArguments& arguments) {
   if (!kept) return tl::unexpected(kept.error());
   auto found = arguments.name.empty() ? kept->visits : kept->called(arguments.name);
   if (found.empty() && !arguments.name.empty())
-    return tl::unexpected(kept->only(arguments.name).error());
+    return tl::unexpected(only(*kept, arguments.name).error());
   if (arguments.name.empty() && found.size() > kNewest) found.resize(kNewest);
-  for (const souvenir::NamedVisit& one : found) std::cout << kept->line(one) << '\n';
+  for (const souvenir::NamedVisit& one : found) std::cout << line_of(*kept, one) << '\n';
   if (found.empty()) std::cout << "Nobody has kept anything yet.\n";
   return 0;
 }
@@ -123,7 +81,7 @@ Result<int> find(const KeepsakeArguments& arguments) {
 Result<int> copy(const KeepsakeArguments& arguments) {
   const auto kept = open_kept(arguments);
   if (!kept) return tl::unexpected(kept.error());
-  const auto one = kept->only(arguments.name);
+  const auto one = only(*kept, arguments.name);
   if (!one) return tl::unexpected(one.error());
   std::error_code error;
   if (!fs::is_directory(arguments.to, error))
@@ -159,7 +117,7 @@ Result<int> copy(const KeepsakeArguments& arguments) {
 Result<int> print(const KeepsakeArguments& arguments) {
   const auto kept = open_kept(arguments);
   if (!kept) return tl::unexpected(kept.error());
-  const auto one = kept->only(arguments.name);
+  const auto one = only(*kept, arguments.name);
   if (!one) return tl::unexpected(one.error());
   std::vector<std::string> words{"-t", kept->said(*one), "-o", "print-scaling=fit"};
   if (!arguments.printer.empty()) words.insert(words.end(), {"-d", arguments.printer});
@@ -190,18 +148,19 @@ Result<int> print(const KeepsakeArguments& arguments) {
 Result<int> remove(const KeepsakeArguments& arguments) {
   const auto kept = open_kept(arguments);
   if (!kept) return tl::unexpected(kept.error());
-  const auto one = kept->only(arguments.name);
+  const auto one = only(*kept, arguments.name);
   if (!one) return tl::unexpected(one.error());
   // What a word or a day happens to mean today is not enough to delete for good.
   constexpr std::size_t kWholeTime = 17;  // "2026-05-04_141503"
-  const std::string stamp = stamp_of(arguments.name);
+  const std::string stamp = desk::stamp_of(arguments.name);
   const bool by_time = stamp.size() >= kWholeTime && one->visit.starts_with(stamp);
   if (!by_time && !kept->names.is_called(one->spoken, arguments.name))
-    return problem(arguments.name, "This is not a whole name: " + kept->line(*one) + ".",
+    return problem(arguments.name, "This is not a whole name: " + line_of(*kept, *one) + ".",
                    "Write all three words, or the date and time, to delete it.");
   if (auto gone = souvenir::remove_visit(kept->folder / one->visit); !gone)
     return tl::unexpected(gone.error());
-  std::cout << "Deleted: " << kept->line(*one) << '\n';
+  souvenir::Passes(kept->folder).take_back_all(one->visit);
+  std::cout << "Deleted: " << line_of(*kept, *one) << '\n';
   return 0;
 }
 

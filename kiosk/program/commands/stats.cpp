@@ -1,6 +1,3 @@
-#include <chrono>
-#include <cstdio>
-#include <limits>
 #include <memory>
 
 #include "kiosk/collection/settings/exhibit.h"
@@ -9,6 +6,7 @@
 #include "kiosk/keepsake/store/statistics.h"
 #include "kiosk/picture/drawing/put_report.h"
 #include "kiosk/program/commands/commands.h"
+#include "kiosk/program/desk/published.h"
 
 namespace onggi::commands {
 
@@ -21,47 +19,8 @@ struct StatsArguments {
 };
 
 Result<void> check_day(const std::string& option, const std::string& day) {
-  if (day.empty()) return {};
-  int y = 0, m = 0, d = 0, end = 0;
-  const bool read = std::sscanf(day.c_str(), "%4d-%2d-%2d%n", &y, &m, &d, &end) == 3 && end == 10 &&
-                    day.size() == 10;
-  const std::chrono::year_month_day date{std::chrono::year(y),
-                                         std::chrono::month(static_cast<unsigned>(m)),
-                                         std::chrono::day(static_cast<unsigned>(d))};
-  if (read && date.ok()) return {};
+  if (desk::is_day(day)) return {};
   return problem(option + " " + day, "This is not a valid date.", "Write it as 2026-05-31.");
-}
-
-/// Visits per day, or per month if there are too many days; suppressed counts are gaps.
-drawing::Plot plot_of(const store::AnonymisedStatistics& s) {
-  constexpr std::size_t kMostDays = 45;
-  std::string step = "day";
-  for (const auto& table : s.tables)
-    if (table.name == "day" && table.lines.size() > kMostDays) step = "month";
-  drawing::Plot plot;
-  plot.title = "Visits per " + step;
-  plot.subtitle =
-      "Counts below " + std::to_string(store::AnonymisedStatistics::kLeast) + " are not shown.";
-  plot.x.label = step;
-  plot.y.label = "visits";
-  drawing::PlotSeries visits{.name = "visits", .kind = drawing::PlotSeries::Kind::bars};
-  drawing::PlotSeries kept{.name = "with a keepsake", .kind = drawing::PlotSeries::Kind::bars};
-  for (const auto& table : s.tables) {
-    if (table.name != step) continue;
-    for (const auto& line : table.lines) {
-      plot.x.names.push_back(step == "day" ? line.name.substr(5) : line.name);
-      const double nothing = std::numeric_limits<double>::quiet_NaN();
-      visits.y.push_back(line.visits ? static_cast<double>(*line.visits) : nothing);
-      kept.y.push_back(line.kept ? static_cast<double>(*line.kept) : nothing);
-    }
-  }
-  if (visits.y.empty()) {
-    const bool none = s.all.visits == 0;
-    plot.notes.push_back({0.0, 0.0, none ? "No visits in these days." : "Too few visits to show."});
-    return plot;
-  }
-  plot.series = {visits, kept};
-  return plot;
 }
 
 Result<std::string> store_of(const StatsArguments& arguments) {
@@ -87,8 +46,8 @@ Result<int> stats(const StatsArguments& arguments) {
     return tl::unexpected(good.error());
   const std::string words =
       arguments.csv.wanted() && arguments.csv.to_stdout() ? std::string() : store::words_of(told);
-  const auto put = drawing::put_report(store::json_of(told), words, plot_of(told), arguments.json,
-                                       arguments.plot);
+  const auto put = drawing::put_report(store::json_of(told), words, desk::plot_of(told),
+                                       arguments.json, arguments.plot);
   if (!put) return tl::unexpected(put.error());
   return 0;
 }
