@@ -1,0 +1,268 @@
+// The staff's page: four parts, of which one is shown. What others wrote (names, labels, problems) is only ever text.
+"use strict";
+
+const $ = (id) => document.getElementById(id);
+const PARTS = ["now", "desk", "figures", "files"];
+const EVERY = 2000; // ms between two looks at the kiosk
+
+/** An element: made("li", {className: "good"}, "text", otherElement). */
+function made(tag, fields, ...inside) {
+  const element = Object.assign(document.createElement(tag), fields);
+  element.append(...inside);
+  return element;
+}
+
+/** The JSON at `address`. Throws what the kiosk's program says is wrong. */
+async function ask(address, post) {
+  const how = post ? { method: "POST", headers: { "Content-Type": "application/json" }, body: "{}" } : {};
+  let answer;
+  try {
+    answer = await fetch(address, how);
+  } catch {
+    throw Object.assign(new Error("The program behind this page does not answer."),
+      { remedy: "Start onggi-console again, and open the address that it prints.", lost: true });
+  }
+  const said = await answer.json();
+  if (!answer.ok) throw Object.assign(new Error(said.what), { remedy: said.remedy, lost: answer.status === 401 });
+  return said;
+}
+
+function tell(place, error) {
+  place.replaceChildren(made("strong", {}, error.message), error.remedy ? " " + error.remedy : "");
+  if (error.lost) lose(error);
+}
+function lose(error) {
+  $("lost").hidden = false;
+  $("lost").replaceChildren(made("strong", {}, error.message), " " + error.remedy);
+}
+
+/** Waits of more than a moment are said. */
+async function waiting(place, words, work) {
+  const late = setTimeout(() => place.replaceChildren(words), 300);
+  try {
+    return await work;
+  } finally {
+    clearTimeout(late);
+  }
+}
+
+// ---- Now
+
+const MOODS = { good: "Good", look: "Look", wrong: "Wrong" };
+let state = null, shownLines = "";
+
+function showLine({ name, mood, says, remedy }) {
+  return made("li", { className: mood },
+    made("span", { className: "mood" }, MOODS[mood]),
+    made("div", {}, made("h3", {}, name), made("p", {}, says), ...(remedy ? [made("p", { className: "remedy" }, remedy)] : [])));
+}
+
+async function look() {
+  try {
+    const said = await ask("/api/state");
+    $("lost").hidden = true;
+    const first = state === null;
+    state = said;
+    document.title = (said.mood === "wrong" ? "⚠ " : "") + said.title;
+    $("title").textContent = said.title;
+    $("credit").textContent = said.credit;
+    // What has not changed is not written again: a screen reader would begin anew.
+    const lines = JSON.stringify(said.lines);
+    if (lines !== shownLines) $("lines").replaceChildren(...said.lines.map(showLine));
+    shownLines = lines;
+    $("seen").textContent = "Looked at " + new Date().toLocaleTimeString() + ". " + said.exhibit;
+    if (first) begin();
+  } catch (error) {
+    lose(error);
+  }
+  if (!document.hidden) setTimeout(look, EVERY);
+}
+document.addEventListener("visibilitychange", () => { if (!document.hidden) look(); });
+
+// ---- Desk
+
+let asked = 0;
+async function showPots() {
+  const turn = ++asked, name = $("name").value.trim(), day = $("day").value;
+  const query = new URLSearchParams(name ? { name } : { day });
+  try {
+    const pots = await waiting($("found"), "Looking…", ask("/api/keepsakes?" + query));
+    if (turn !== asked) return;
+    const of = name ? ` called “${name}”` : day === state.today ? " today" : day ? " on " + day : "";
+    $("found").textContent = pots.length === 0 ? `Nothing was kept${of}.`
+      : `${pots.length} ${pots.length === 1 ? "keepsake" : "keepsakes"}${of}, the newest first.`;
+    $("pots").replaceChildren(...pots.map(showPot));
+  } catch (error) {
+    if (turn === asked) tell($("found"), error);
+  }
+}
+
+function showPot(pot) {
+  const picture = made("img", {
+    src: `/keepsake/${pot.visit}/${pot.small ? "small" : "postcard"}.jpg`, alt: "", loading: "lazy", width: 200, height: 200,
+  });
+  picture.addEventListener("error", () => { picture.style.visibility = "hidden"; });
+  const button = made("button", { className: "pot" }, picture,
+    made("span", { className: "name" }, pot.name || "(no name)"),
+    made("span", { className: "small" }, `${$("name").value.trim() ? pot.day + " " : ""}${pot.time}, ${pot.vessel}`));
+  button.addEventListener("click", () => openPot(pot));
+  return made("li", {}, button);
+}
+
+let opened = null;
+function openPot(pot) {
+  opened = pot;
+  $("pot-title").textContent = pot.name || "(no name)";
+  $("pot-facts").textContent = `${pot.vessel}, ${pot.day} ${pot.time}`;
+  const files = ["postcard.jpg", ...(pot.turning ? ["turning.gif"] : []), ...(pot.sheet ? ["sheet.jpg"] : []),
+    ...(pot.rollout ? ["rollout.jpg"] : [])];
+  const what = { "postcard.jpg": "The postcard", "turning.gif": "The pot, turning", "sheet.jpg": "The pot, drawn", "rollout.jpg": "The outside, unrolled" };
+  $("pot-pictures").replaceChildren(...files.map((file) => made("img", { src: `/keepsake/${pot.visit}/${file}`, alt: what[file] })));
+  $("pot-print").href = "/print/" + pot.visit;
+  $("pot-words").replaceChildren();
+  $("pot-code").replaceChildren();
+  $("pot-pass").disabled = !state.phones;
+  if (!state.phones) $("pot-words").textContent = "Phones get no pages here: [phone] in exhibit.toml has no address.";
+  $("pot-sure").hidden = true;
+  $("pot").showModal();
+}
+$("pot-close").addEventListener("click", () => $("pot").close());
+
+/** A code for a phone's camera, dark on light whatever the page's colours. */
+function codeOf(rows) {
+  const side = rows.length + 8, svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", `0 0 ${side} ${side}`);
+  svg.setAttribute("role", "img");
+  svg.setAttribute("aria-label", "Code for a phone’s camera");
+  svg.setAttribute("class", "code");
+  const path = document.createElementNS(svg.namespaceURI, "path");
+  let way = "";
+  rows.forEach((row, y) => [...row].forEach((dark, x) => { if (dark === "1") way += `M${x + 4} ${y + 4}h1v1h-1z`; }));
+  path.setAttribute("d", way);
+  svg.append(path);
+  return svg;
+}
+
+$("pot-pass").addEventListener("click", async () => {
+  try {
+    const pass = await waiting($("pot-words"), "Making a page…", ask(`/api/keepsakes/${opened.visit}/pass`, true));
+    $("pot-words").textContent = `The visitor’s phone can open this until ${pass.until}:`;
+    $("pot-code").replaceChildren(codeOf(pass.code), made("p", { className: "address" }, pass.address));
+  } catch (error) {
+    tell($("pot-words"), error);
+  }
+});
+$("pot-delete").addEventListener("click", () => {
+  $("pot-sure").hidden = false;
+  $("pot-no").focus();
+  $("pot-sure").scrollIntoView();
+});
+$("pot-no").addEventListener("click", () => {
+  $("pot-sure").hidden = true;
+  $("pot-delete").focus();
+});
+$("pot-yes").addEventListener("click", async () => {
+  try {
+    await waiting($("pot-words"), "Deleting…", ask(`/api/keepsakes/${opened.visit}/delete`, true));
+    $("pot").close();
+    await showPots();
+    $("found").textContent = `Deleted: ${opened.name || "(no name)"}. ` + $("found").textContent;
+  } catch (error) {
+    tell($("pot-words"), error);
+  }
+});
+$("find").addEventListener("submit", (event) => { event.preventDefault(); showPots(); });
+$("day").addEventListener("change", () => { $("name").value = ""; showPots(); });
+$("today").addEventListener("click", () => {
+  $("name").value = "";
+  $("day").value = state.today;
+  showPots();
+});
+
+// ---- Figures
+
+const TABLES = { vessel: "Vessels", mission: "Missions", way: "Thrown or built", language: "Languages", left: "Where visits ended", reached: "How far they came", ended: "How they ended", hour: "Hours of the day" };
+
+function daysBefore(day, count) {
+  const date = new Date(day + "T12:00:00Z");
+  date.setUTCDate(date.getUTCDate() - count);
+  return date.toISOString().slice(0, 10);
+}
+
+async function showFigures() {
+  const span = $("span").value;
+  const query = new URLSearchParams(span === "" ? {} : { from: daysBefore(state.today, Number(span)), to: state.today });
+  try {
+    const told = await waiting($("figures-words"), "Counting…", ask("/api/figures?" + query));
+    $("figures-words").textContent = told.words.split("\n\n")[0];
+    const tables = Object.entries(TABLES).filter(([key]) => (told.tables[key] || []).length > 0).map(([key, title]) =>
+      made("table", {}, made("caption", {}, title),
+        made("thead", {}, made("tr", {}, ...["", "Visits", "Keepsakes", "Likeness"].map((head) => made("th", { scope: "col" }, head)))),
+        made("tbody", {}, ...told.tables[key].map((line) => made("tr", {},
+          made("th", { scope: "row" }, String(line.name).replaceAll("_", " ")),
+          ...[line.visits, line.keepsakes, line.likeness].map((value) => made("td", {}, value === null ? "–" : String(value))))))));
+    if (told.visits === 0) return $("figures-body").replaceChildren();
+    $("figures-body").replaceChildren(
+      made("img", { className: "plot", src: "/figures.svg?" + query, alt: "Visits by day, drawn. The same counts stand in the tables." }),
+      ...tables, made("p", { className: "small" }, "–: fewer than five, or left out so that nobody can be worked out from the rest."));
+  } catch (error) {
+    $("figures-body").replaceChildren();
+    tell($("figures-words"), error);
+  }
+}
+$("span").addEventListener("change", showFigures);
+
+// ---- Files
+
+let filesAgain = 0;
+async function showFiles() {
+  clearTimeout(filesAgain);
+  try {
+    const said = await ask("/api/files"), report = said.report;
+    const checking = said.checking ? "The files are being checked… " : "";
+    if (said.trouble) $("files-words").textContent = checking + said.trouble;
+    else $("files-words").textContent = checking + (report ? report.summary : "");
+    if (report) {
+      const place = ({ file, line }) => (line ? `${file}, line ${line}` : file);
+      $("problems").replaceChildren(
+        ...report.problems.map((p) => showLine({ name: place(p), mood: "wrong", says: p.what, remedy: p.remedy })),
+        ...report.notes.map((p) => showLine({ name: place(p), mood: "look", says: p.what, remedy: p.remedy })));
+      $("files-list").replaceChildren(...report.files.map((file) => made("li", {}, file)));
+    }
+    if (part() === "files") filesAgain = setTimeout(showFiles, said.checking ? 500 : 5000);
+  } catch (error) {
+    tell($("files-words"), error);
+  }
+}
+
+// ---- Which part is shown
+
+const part = () => (PARTS.includes(location.hash.slice(1)) ? location.hash.slice(1) : "now");
+
+function showPart() {
+  for (const section of document.querySelectorAll("[data-part]")) section.hidden = section.dataset.part !== part();
+  for (const link of document.querySelectorAll("nav a")) {
+    if (link.hash === "#" + part()) link.setAttribute("aria-current", "page");
+    else link.removeAttribute("aria-current");
+  }
+  if (state === null) return;
+  if (part() === "desk") showPots();
+  if (part() === "figures") showFigures();
+  if (part() === "files") showFiles();
+}
+function begin() {
+  $("day").value = state.today;
+  showPart();
+}
+addEventListener("hashchange", () => { showPart(); $("content").focus({ preventScroll: true }); scrollTo(0, 0); });
+
+$("leave").addEventListener("click", async () => {
+  try {
+    await ask("/api/leave", true);
+  } finally {
+    location.href = "/";
+  }
+});
+
+showPart();
+look();

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace onggi::console {
+
+/// The page's own files (page/), compiled in.
+extern const char* const k_staff_html;
+extern const char* const k_door_html;
+extern const char* const k_print_html;
+extern const char* const k_staff_js;
+extern const char* const k_print_js;
+extern const char* const k_staff_css;
+extern const char* const k_staff_svg;
+
+}  // namespace onggi::console

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/ground/files/json.h"
+#include "kiosk/program/watch/kiosk_state.h"
+
+namespace onggi::console {
+
+/// What is known of a site's kiosk at one moment.
+struct Known {
+  watch::SeenKiosk kiosk;
+  std::int64_t now = 0;                     ///< s since 1970.
+  std::string exhibit;                      ///< The site's exhibit.toml.
+  std::string vessel;                       ///< Name of the vessel on the wheel, for people.
+  std::optional<std::uint64_t> free_bytes;  ///< Of the keepsakes' disk; absent: not readable.
+  std::optional<bool> phones_answered;      ///< Absent: visitors' phones get no pages here.
+};
+
+/// How a line of the report is: as it should be, worth a look, or wrong.
+enum class Mood : std::uint8_t { good, look, wrong };
+
+/// One thing that staff want to know, in words.
+struct Line {
+  std::string id;    ///< "kiosk", "picture", "wheel", "keepsakes", "disk", "devices", "phones",
+                     ///< "trouble".
+  std::string name;  ///< "Keepsakes"
+  Mood mood = Mood::good;
+  std::string says;    ///< A sentence or two.
+  std::string remedy;  ///< What to do; "": nothing.
+};
+
+/// The state in words: the kiosk first. Pure.
+std::vector<Line> report_of(const Known& known);
+
+/// {"mood": the worst, "says": its kiosk's, "lines": [{id, name, mood, says, remedy}]}
+files::Json json_of(const std::vector<Line>& lines);
+
+}  // namespace onggi::console

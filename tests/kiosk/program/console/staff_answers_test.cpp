@@ -1,0 +1,269 @@
+#include "kiosk/program/console/staff_answers.h"
+
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <vector>
+
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/keepsake/souvenir/pass.h"
+#include "kiosk/keepsake/store/visit_store.h"
+#include "tests/kiosk/ground/files/disk.h"
+
+namespace onggi::console::staff_answers_test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr std::int64_t kNow = 1'780'000'000;
+constexpr const char* kHost = "127.0.0.1:8090";
+constexpr const char* kJar = "2026-05-28_141503_moon_jar";
+constexpr const char* kOlla = "2026-05-27_101500_olla";
+
+/// A site with two keepsakes, and a browser that has come in.
+class StaffPage : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(site_ / "config");
+    exhibit("");
+    for (const char* visit : {kJar, kOlla}) {
+      fs::create_directories(keepsakes_ / visit);
+      for (const char* file : {"postcard.jpg", "pot.glb", "small.jpg", "visit.onggi"})
+        std::ofstream(keepsakes_ / visit / file) << file << " of " << visit;
+    }
+    std::ofstream(keepsakes_ / kJar / "name.txt") << "quiet-blue-heron\n";
+    auto site = Site::open(site_.path());
+    ASSERT_TRUE(site) << to_text(site.error());
+    staff_ = std::make_unique<StaffAnswers>(std::move(*site),
+                                            FileCheck("/bin/true", site_ / "config/exhibit.toml"),
+                                            [this] { return now_; });
+    auto door = Door::make("staff");
+    ASSERT_TRUE(door);
+    staff_->open(std::move(*door), {kHost, "localhost:8090"});
+    const web::Answer in =
+        staff_->to({.method = "GET", .target = "/?code=" + staff_->door().code(), .host = kHost});
+    EXPECT_EQ(in.status, 303);
+    for (const auto& [name, value] : in.fields)
+      if (name == "Set-Cookie") cookie_ = value.substr(0, value.find(';'));
+  }
+  void exhibit(const std::string& more) const {
+    std::ofstream(site_ / "config/exhibit.toml")
+        << "credit = \"A <b>museum</b>\"\nlanguages = [\"en\"]\n"
+        << more << "\n[title]\nen = \"Clay\"\n\n[keepsake]\nfolder = \"../keepsakes\"\n";
+  }
+  web::Ask asking(const std::string& target) const {
+    return {.method = "GET", .target = target, .host = kHost, .cookie = cookie_};
+  }
+  web::Ask posting(const std::string& target) const {
+    return {.method = "POST",
+            .target = target,
+            .host = kHost,
+            .origin = std::string("http://") + kHost,
+            .cookie = cookie_,
+            .type = "application/json",
+            .body = "{}"};
+  }
+  web::Answer get(const std::string& target) const { return staff_->to(asking(target)); }
+  web::Answer post(const std::string& target) const { return staff_->to(posting(target)); }
+
+  std::int64_t now_ = kNow;
+  files::test::ScratchFolder site_;
+  fs::path keepsakes_ = site_ / "keepsakes";
+  std::unique_ptr<StaffAnswers> staff_;
+  std::string cookie_;
+};
+
+const std::vector<std::string> kRead{"/",
+                                     "/api/state",
+                                     "/api/files",
+                                     "/api/figures",
+                                     "/figures.svg",
+                                     "/api/keepsakes",
+                                     std::string("/keepsake/") + kJar + "/postcard.jpg",
+                                     std::string("/print/") + kJar};
+const std::vector<std::string> kChange{std::string("/api/keepsakes/") + kJar + "/pass",
+                                       std::string("/api/keepsakes/") + kJar + "/delete"};
+
+TEST_F(StaffPage, WhoHasNotComeInSeesAndChangesNothing) {
+  cookie_ = "staff=guessed";
+  for (const std::string& target : kRead) {
+    const web::Answer answer = get(target);
+    EXPECT_EQ(answer.status, 401) << target;
+    EXPECT_FALSE(answer.file) << target;
+    EXPECT_THAT(answer.body, Not(HasSubstr("museum"))) << target;
+  }
+  for (const std::string& target : kChange) EXPECT_EQ(post(target).status, 401) << target;
+  EXPECT_TRUE(fs::exists(keepsakes_ / kJar));
+  EXPECT_THAT(get("/").body, HasSubstr("onggi-console"));
+}
+
+TEST_F(StaffPage, AfterHalfAnHourWithoutARequestItIsShut) {
+  now_ += Door::kIdle;
+  EXPECT_EQ(get("/api/state").status, 401);
+}
+
+TEST_F(StaffPage, IsServedUnderItsOwnNamesAlone) {
+  for (const char* host : {"evil.example:8090", "127.0.0.1", "127.0.0.1:8091", ""})
+    for (const std::string& target : kRead) {
+      web::Ask ask = asking(target);
+      ask.host = host;
+      EXPECT_EQ(staff_->to(ask).status, 421) << host << target;
+    }
+  web::Ask ask = asking("/api/state");
+  ask.host = "localhost:8090";
+  EXPECT_EQ(staff_->to(ask).status, 200);
+}
+
+TEST_F(StaffPage, AnotherPagesFormChangesNothing) {
+  for (const std::string& target : kChange) {
+    web::Ask elsewhere = posting(target), none = posting(target), form = posting(target);
+    elsewhere.origin = "http://evil.example";
+    none.origin = "";
+    form.type = "application/x-www-form-urlencoded";
+    EXPECT_EQ(staff_->to(elsewhere).status, 403);
+    EXPECT_EQ(staff_->to(none).status, 403);
+    EXPECT_EQ(staff_->to(form).status, 415);
+    EXPECT_EQ(get(target).status, 404) << "reading changes nothing";
+  }
+  EXPECT_TRUE(fs::exists(keepsakes_ / kJar));
+}
+
+TEST_F(StaffPage, TheStateIsInWordsAndSentAnewOnlyWhenItIsAnother) {
+  const web::Answer state = get("/api/state");
+  EXPECT_EQ(state.status, 200);
+  EXPECT_THAT(state.body, AllOf(HasSubstr("\"title\":\"Clay\""), HasSubstr("does not run"),
+                                HasSubstr("are free for keepsakes")));
+  web::Ask again = asking("/api/state");
+  for (const auto& [name, value] : state.fields)
+    if (name == "ETag") again.if_none_match = value;
+  EXPECT_EQ(staff_->to(again).status, 304);
+  exhibit("scene = \"scenes/none.toml\"");
+  std::ofstream(site_ / "config/exhibit.toml", std::ios::app) << "quota_mb = 50\n";
+  EXPECT_EQ(get("/api/state").status, 200) << "a slip in the file does not shut the page";
+}
+
+TEST_F(StaffPage, KeepsakesAreFoundByDayAndByAWordOfTheirName) {
+  const auto listed = [this](const std::string& query) {
+    return get("/api/keepsakes" + query).body;
+  };
+  EXPECT_THAT(listed(""), AllOf(HasSubstr(kJar), HasSubstr(kOlla), HasSubstr("moon jar")));
+  EXPECT_THAT(listed("?day=2026-05-28"), AllOf(HasSubstr(kJar), Not(HasSubstr(kOlla))));
+  EXPECT_THAT(listed("?name=heron"), AllOf(HasSubstr(kJar), Not(HasSubstr(kOlla))));
+  EXPECT_THAT(listed("?name=Quiet+blue%20HERON"), HasSubstr(kJar));
+  EXPECT_THAT(listed("?name=2026-05-27+10%3A15"), AllOf(HasSubstr(kOlla), Not(HasSubstr(kJar))));
+  EXPECT_EQ(listed("?name=walrus"), "[]");
+  EXPECT_EQ(get("/api/keepsakes?day=2026-13-01").status, 409);
+  fs::remove_all(keepsakes_);
+  EXPECT_EQ(listed(""), "[]") << "before the first there is no folder";
+}
+
+TEST_F(StaffPage, PicturesAreThoseOfKeepsakesAndNothingElseOnTheDisk) {
+  const web::Answer card = get(std::string("/keepsake/") + kJar + "/postcard.jpg");
+  EXPECT_EQ(card.status, 200);
+  EXPECT_EQ(card.type, "image/jpeg");
+  ASSERT_TRUE(card.file);
+  EXPECT_EQ(card.span.length, std::string("postcard.jpg of ").size() + std::string(kJar).size());
+  std::ofstream(site_ / "secret.jpg") << "secret";
+  fs::create_directory_symlink(site_.path(), keepsakes_ / "2026-05-26_101500_link");
+  fs::create_symlink(site_ / "secret.jpg", keepsakes_ / kJar / "sheet.jpg");
+  for (const std::string& bad :
+       {std::string(kJar) + "/visit.onggi", std::string(kJar) + "/name.txt",
+        std::string(kJar) + "/../" + kOlla + "/postcard.jpg", std::string("../secret.jpg"),
+        std::string("../config/exhibit.toml"), std::string("2026-05-26_101500_link/secret.jpg"),
+        std::string("2026-05-26_101500_link/postcard.jpg"), std::string(kJar) + "/sheet.jpg",
+        std::string("%2e%2e/secret.jpg"), std::string("2026-05-28_141503_../postcard.jpg"),
+        std::string("/postcard.jpg"), std::string(kJar) + "/"}) {
+    const web::Answer answer = get("/keepsake/" + bad);
+    EXPECT_EQ(answer.status, 404) << bad;
+    EXPECT_FALSE(answer.file) << bad;
+  }
+}
+
+TEST_F(StaffPage, APostcardIsPrintedByTheBrowserTheOneWithTheCodeFirst) {
+  EXPECT_THAT(get(std::string("/print/") + kJar).body, HasSubstr("/postcard.jpg\""));
+  std::ofstream(keepsakes_ / kJar / "print.jpg") << "with its code";
+  EXPECT_THAT(get(std::string("/print/") + kJar).body, HasSubstr("/print.jpg\""));
+  EXPECT_EQ(get("/print/2026-05-28_141503_none").status, 404);
+}
+
+TEST_F(StaffPage, APhoneGetsAPassOnlyWherePhonesHavePages) {
+  const std::string target = std::string("/api/keepsakes/") + kJar + "/pass";
+  const web::Answer none = post(target);
+  EXPECT_EQ(none.status, 409);
+  EXPECT_THAT(none.body, HasSubstr("[phone]"));
+  std::ofstream(site_ / "config/exhibit.toml", std::ios::app)
+      << "\n[phone]\naddress = \"http://192.168.4.1:8080\"\nhours = 2\n";
+  const web::Answer pass = post(target);
+  EXPECT_EQ(pass.status, 200) << pass.body;
+  EXPECT_THAT(pass.body,
+              AllOf(HasSubstr("http://192.168.4.1:8080/k/"), HasSubstr("\"code\":[\"1")));
+  const auto tokens = souvenir::tokens_of(keepsakes_);
+  ASSERT_EQ(tokens.size(), 1u);
+  const auto given = souvenir::read_pass(keepsakes_, tokens.front());
+  ASSERT_TRUE(given && *given);
+  EXPECT_EQ((*given)->visit, kJar);
+  EXPECT_EQ((*given)->until - (*given)->from, 7200);
+}
+
+TEST_F(StaffPage, DeletingTakesEveryCopyAndEveryPassOfThatKeepsakeAlone) {
+  const souvenir::Passes passes(keepsakes_);
+  ASSERT_TRUE(passes.give(kJar, kNow, 24) && passes.give(kJar, kNow, 24) &&
+              passes.give(kOlla, kNow, 24));
+  EXPECT_EQ(post(std::string("/api/keepsakes/") + kJar + "/delete").status, 200);
+  EXPECT_FALSE(fs::exists(keepsakes_ / kJar));
+  EXPECT_TRUE(fs::exists(keepsakes_ / kOlla / "postcard.jpg"));
+  const auto left = souvenir::tokens_of(keepsakes_);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ((*souvenir::read_pass(keepsakes_, left.front()))->visit, kOlla);
+  EXPECT_EQ(post(std::string("/api/keepsakes/") + kJar + "/delete").status, 404) << "it is gone";
+  for (const char* bad : {"..", "phone", "2026-05-28_141503_moon_jar.partial"})
+    EXPECT_EQ(post(std::string("/api/keepsakes/") + bad + "/delete").status, 404) << bad;
+}
+
+TEST_F(StaffPage, FiguresAreThoseOfOnggiStatsWithSmallCellsLeftOut) {
+  EXPECT_THAT(get("/api/figures").body, HasSubstr("No visit has been counted here yet."));
+  {
+    std::vector<Problem> remarks;
+    auto store = store::VisitStore::open(files::store_file(keepsakes_), "stamp", remarks);
+    ASSERT_TRUE(store) << to_text(store.error());
+    std::vector<store::VisitRecord> visits(9);
+    for (std::size_t n = 0; n < visits.size(); ++n) {
+      store::VisitRecord& v = visits[n];
+      v.start = kNow;
+      v.day = "2026-05-28";
+      v.vessel = n < 7 ? "moon_jar" : "olla";
+      v.scene = "first_touch";
+      v.language = "en";
+      v.way = "touch";
+      v.reached = v.left = "throw";
+      v.ended = "finished";
+      v.active_s = 90;
+    }
+    ASSERT_TRUE(store->add(visits));
+  }
+  now_ += Figures::kEvery;
+  const std::string told = get("/api/figures?from=2026-05-28&to=2026-05-28").body;
+  EXPECT_THAT(told, AllOf(HasSubstr("\"visits\":9"), HasSubstr("moon_jar")));
+  EXPECT_THAT(told, Not(HasSubstr("\"visits\":2"))) << "two ollas are too few to tell";
+  EXPECT_THAT(get("/api/figures?from=2026-05-29&to=2026-05-29").body, HasSubstr("\"visits\":0"));
+  EXPECT_EQ(get("/api/figures?from=x").status, 409);
+  const web::Answer picture = get("/figures.svg?from=2026-05-28&to=2026-05-28");
+  EXPECT_EQ(picture.status, 200);
+  EXPECT_THAT(picture.body, HasSubstr("<svg"));
+}
+
+TEST_F(StaffPage, AFolderWithoutAnExhibitIsRefused) {
+  const files::test::ScratchFolder empty;
+  const auto none = Site::open(empty.path());
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().exit_code, 2);
+  EXPECT_THAT(none.error().what, HasSubstr("config/exhibit.toml"));
+  EXPECT_TRUE(Site::open(site_ / "config"));
+  EXPECT_TRUE(Site::open(site_ / "config/exhibit.toml"));
+}
+
+}  // namespace
+}  // namespace onggi::console::staff_answers_test

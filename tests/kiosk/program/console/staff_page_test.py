@@ -1,0 +1,209 @@
+"""The staff's page in a real browser: coming in, each part on a desk's screen, a tablet and a phone, light and dark;
+finding, printing, a pass for a phone, deleting; files with a slip; the program gone.
+
+usage: staff_page_test.py --console build/.../onggi-console --onggi build/.../onggi [--every] [--pictures DIR]
+Skipped (77) where there is no chromium.
+"""
+import argparse
+import fcntl
+import itertools
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[4]
+sys.path.insert(0, str(ROOT / "tests/kiosk/keepsake/phone"))
+import browser as browsers  # noqa: E402
+
+SIZES = {"desk": (1280, 800), "tablet": (820, 1180), "phone": (360, 740)}
+PARTS = {"now": "#lines li", "desk": "#found:not(:empty)", "figures": "#figures-words:not(:empty)", "files": "#files-list li"}
+JAR, OLLA = "2026-05-28_141503_moon_jar", "2026-05-28_101500_olla"
+
+
+class StaffPage(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="onggi-staff-"))
+        shutil.copytree(ROOT / "config", self.folder / "config")
+        for name in ("languages", "lessons", "ways", "vessels/moon_jar"):
+            shutil.copytree(ROOT / "content" / name, self.folder / "content" / name)
+        for name in ("glazes.toml", "missions.toml", "names.toml"):
+            shutil.copy(ROOT / "content" / name, self.folder / "content" / name)
+        self.exhibit = self.folder / "config/exhibit.toml"
+        self.kept = self.folder / "keepsakes"
+        for visit in (JAR, OLLA):
+            (self.kept / visit).mkdir(parents=True)
+            for name in ("postcard.jpg", "small.jpg"):  # its bytes say what it is
+                shutil.copy(ROOT / "kiosk/docs/pictures/sheet.png", self.kept / visit / name)
+        (self.kept / JAR / "name.txt").write_text("quiet-blue-heron\n")
+        self.console = subprocess.Popen([ARGUMENTS.console, "--site", str(self.folder), "--listen", "127.0.0.1:0"],
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        said = self.console.stdout.readline() + self.console.stdout.readline()
+        self.way_in = re.search(r"http://\S+", said)[0]
+        self.at = self.way_in[:self.way_in.index("/?")]
+        self.browser = browsers.Browser()
+
+    def tearDown(self):
+        self.browser.__exit__()
+        self.console.terminate()
+        self.console.wait()
+        self.console.stdout.close()
+        self.console.stderr.close()
+        shutil.rmtree(self.folder)
+
+    def page(self, size="desk", **kept):
+        return self.browser.page(*SIZES[size], scale=1, **kept)
+
+    def open(self, page, part="now"):
+        page.go(f"{self.at}/#{part}")
+        page.wait("!!document.querySelector('" + PARTS[part] + "')", part)
+
+    def looked_at(self, page, name):
+        looks = page.value(browsers.LAYOUT)
+        self.assertEqual(looks["found"], [], name)
+        self.assertGreater(looks["words"], 0, name)
+        self.assertEqual(page.complaints(), [], name)
+        self.assertEqual([a for a in page.asked() if not a.startswith((self.at, "about:", "data:"))], [], name)
+        if ARGUMENTS.pictures:
+            pathlib.Path(ARGUMENTS.pictures).mkdir(parents=True, exist_ok=True)
+            page.picture(pathlib.Path(ARGUMENTS.pictures) / (name + ".png"))
+
+    def text(self, page, selector):
+        return page.value(f"document.querySelector({selector!r}).innerText")
+
+    def test_every_part_on_every_screen_light_and_dark(self):
+        with self.page() as page:
+            page.go(self.way_in)
+            page.wait("!!document.querySelector('#lines li')", "the state")
+            self.assertNotIn("code=", page.value("location.href"))
+            self.assertEqual(self.text(page, "#title"), "Make a pot")
+            self.assertIn("does not run", self.text(page, "#lines"))
+            cookie = page.say("Network.getCookies")["cookies"][0]
+            self.assertTrue(cookie["httpOnly"] and cookie["sameSite"] == "Strict")
+        every = list(itertools.product(PARTS, SIZES, (False, True)))
+        some = [(part, list(SIZES)[n % 3], n % 2 == 1) for n, part in enumerate(PARTS)] + [("desk", "phone", True)]
+        for part, size, dark in every if ARGUMENTS.every else some:
+            with self.page(size, dark=dark) as page:
+                page.say("Network.setCookie", name=cookie["name"], value=cookie["value"], url=self.at)
+                self.open(page, part)
+                if part == "desk":
+                    page.value("document.getElementById('day').value = ''")
+                    page.tap("#find button")
+                    page.wait("document.querySelectorAll('#pots li').length === 2", "both keepsakes")
+                self.looked_at(page, f"{part}_{size}_{'dark' if dark else 'light'}")
+
+    def test_who_comes_without_the_code_or_twice_with_it_stays_outside(self):
+        with self.page("phone") as page:
+            page.go(self.at)
+            self.assertIn("onggi-console", self.text(page, "main"))
+            # The browser tells the console that this page is a 401; the page itself is whole.
+            self.assertEqual([c for c in page.complaints() if "401" not in c], [])
+        with self.page() as page:
+            page.go(self.way_in)
+            page.wait("!!document.querySelector('#lines li')")
+        with self.page() as page:
+            page.go(self.way_in)
+            self.assertIn("prints another", self.text(page, "main"))
+
+    def test_the_desk_finds_prints_gives_a_pass_and_deletes(self):
+        with self.exhibit.open("a") as file:
+            file.write('\n[phone]\naddress = "http://192.168.4.1:8080"\n')
+        with self.page() as page:
+            page.go(self.way_in)
+            page.wait("!!document.querySelector('#lines li')")
+            page.value("location.hash = '#desk'")
+            page.wait("document.querySelector('#found').innerText.includes('Nothing was kept today')")
+            page.value("document.getElementById('name').value = 'Heron'")
+            page.tap("#find button")
+            page.wait("document.querySelectorAll('#pots li').length === 1", "the heron")
+            page.tap("#pots button")
+            page.wait("document.getElementById('pot').open")
+            self.assertEqual(self.text(page, "#pot-title"), "quiet blue heron")
+            page.wait("document.querySelector('#pot-pictures img').naturalWidth > 0", "its postcard")
+            page.tap("#pot-pass")
+            page.wait("!!document.querySelector('#pot-code path')", "the code")
+            self.assertIn("http://192.168.4.1:8080/k/", self.text(page, "#pot-code"))
+            self.looked_at(page, "pass")
+            with self.page() as other:
+                cookie = page.say("Network.getCookies")["cookies"][0]
+                other.say("Network.setCookie", name=cookie["name"], value=cookie["value"], url=self.at)
+                other.say("Page.addScriptToEvaluateOnNewDocument", source="window.print = () => { window.printed = true; }")
+                other.go(self.at + "/print/" + JAR)
+                other.wait("window.printed", "the browser's print")
+                self.assertEqual(other.complaints(), [])
+            page.tap("#pot-delete")
+            page.wait("!document.getElementById('pot-sure').hidden")
+            page.tap("#pot-no")
+            self.assertTrue((self.kept / JAR).is_dir())
+            page.tap("#pot-delete")
+            page.tap("#pot-yes")
+            page.wait("!document.getElementById('pot').open", "it is deleted")
+            page.wait("document.querySelector('#found').innerText.startsWith('Deleted: quiet blue heron.')")
+            self.assertFalse((self.kept / JAR).exists())
+            self.assertTrue((self.kept / OLLA).is_dir())
+            self.assertEqual(page.complaints(), [])
+
+    def test_a_slip_in_a_file_is_said_with_its_line_and_gone_when_it_is_mended(self):
+        good = self.exhibit.read_text()
+        self.exhibit.write_text(good.replace("warn_after = 60 ", "warn_after = -5 "))
+        with self.page("tablet") as page:
+            page.go(self.way_in)
+            page.wait("!!document.querySelector('#lines li')")
+            page.value("location.hash = '#files'")
+            page.wait("!!document.querySelector('#problems .wrong')", "the slip", patience=60)
+            self.assertIn("exhibit.toml, line ", self.text(page, "#problems"))
+            self.looked_at(page, "slip")
+            self.exhibit.write_text(good)
+            page.wait("!document.querySelector('#problems .wrong') && !!document.querySelector('#files-list li')",
+                      "mended", patience=60)
+
+    def test_the_kiosk_is_seen_to_run_and_to_be_gone_and_the_program_too(self):
+        now = int(time.time())
+        state = (f"version 0.1.0\nexhibit {self.exhibit}\nvessel moon_jar\nrunning_s 60\nsaid {now}\nopen true\n"
+                 "wakes 60000\nframes_a_second 60\nend\n")
+        with self.page() as page, open(self.kept / ".kiosk", "w") as board:
+            fcntl.flock(board, fcntl.LOCK_EX)
+            board.write(state)
+            board.flush()
+            page.go(self.way_in)
+            page.wait("document.querySelector('#lines').innerText.includes('with the moon jar on the wheel')", "it runs")
+            self.looked_at(page, "runs")
+            fcntl.flock(board, fcntl.LOCK_UN)
+            page.wait("document.querySelector('#lines').innerText.includes('stopped without being closed')", "it crashed")
+            self.console.terminate()
+            page.wait("!document.getElementById('lost').hidden", "the program is gone")
+            self.assertIn("Start onggi-console again", self.text(page, "#lost"))
+
+    def test_by_keys_alone(self):
+        with self.page() as page:
+            page.go(self.way_in)
+            page.wait("!!document.querySelector('#lines li')")
+
+            def press(key, code=None, text=None):
+                for kind in ("keyDown", "keyUp"):
+                    page.say("Input.dispatchKeyEvent", type=kind, key=key, code=code or key,
+                             **({"text": text} if text and kind == "keyDown" else {}))
+            for _ in range(12):
+                press("Tab")
+                if page.value("document.activeElement.hash") == "#desk":
+                    break
+            press("Enter", text="\r")
+            page.wait("!document.querySelector('[data-part=desk]').hidden", "the desk")
+            self.assertEqual(page.value("document.activeElement.id"), "content")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--console", required=True)
+    parser.add_argument("--onggi", required=True)
+    parser.add_argument("--every", action="store_true")
+    parser.add_argument("--pictures")
+    ARGUMENTS, rest = parser.parse_known_args()
+    if browsers.program() is None:
+        print("There is no chromium here: sudo apt install chromium")
+        sys.exit(77)
+    unittest.main(argv=[sys.argv[0], *rest])
