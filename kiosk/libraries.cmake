@@ -13,7 +13,7 @@ onggi_library(PNG           DEBIAN libpng-dev)                            # text
 onggi_library(JPEG          DEBIAN libjpeg-dev)                           # textures
 onggi_library(WEBP          MODULES libwebp DEBIAN libwebp-dev)           # textures
 onggi_library(ZSTD          MODULES libzstd DEBIAN libzstd-dev)           # files, textures
-onggi_library(nlohmann_json AT_LEAST 3.11 DEBIAN nlohmann-json3-dev)      # files, content, souvenir, encoding's helper
+onggi_library(nlohmann_json AT_LEAST 3.11 DEBIAN nlohmann-json3-dev)      # files, content, souvenir, encoding's helper, console
 onggi_library(HIDAPI        MODULES hidapi-hidraw AT_LEAST 0.13 DEBIAN libhidapi-dev)  # device
 onggi_library(QRCODEGEN     MODULES qrcodegencpp DEBIAN libqrcodegencpp-dev)  # view
 onggi_library(glfw3         AT_LEAST 3.3  DEBIAN libglfw3-dev)            # render
@@ -24,8 +24,9 @@ onggi_library(PANGOCAIRO    MODULES pangocairo AT_LEAST 1.50 DEBIAN libpango1.0-
 onggi_library(FONTCONFIG    MODULES fontconfig DEBIAN libfontconfig-dev)  # render: which letters have a font
 onggi_library(OPENIMAGEIO   MODULES OpenImageIO AT_LEAST 2.4 DEBIAN libopenimageio-dev)  # encoding's helper
 onggi_library(GIF           AT_LEAST 5.1  DEBIAN libgif-dev)              # encoding
-onggi_library(Boost         AT_LEAST 1.74 DEBIAN libboost-dev)            # phone: Beast
+onggi_library(Boost         AT_LEAST 1.74 DEBIAN libboost-dev)            # web: Beast
 onggi_library(SQLite3       AT_LEAST 3.40 DEBIAN libsqlite3-dev)          # store
+onggi_library(SODIUM        MODULES libsodium DEBIAN libsodium-dev)       # console: passphrases
 onggi_library(SPEECHD       MODULES speech-dispatcher AT_LEAST 0.11 DEBIAN libspeechd-dev)  # access's helper
 onggi_library(SDL2          MODULES sdl2 AT_LEAST 2.26 DEBIAN libsdl2-dev)  # sound
 onggi_library(ALSA          MODULES alsa DEBIAN libasound2-dev)           # sound

@@ -2,6 +2,7 @@
 
 #include <sys/socket.h>
 
+#include <boost/asio/ip/address.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/read.hpp>
@@ -62,6 +63,16 @@ std::string head_of(const Answer& given) {
 
 }  // namespace
 
+std::string address_of(const Tcp::socket& socket) {
+  error_code error;
+  const Tcp::endpoint end = socket.remote_endpoint(error);
+  if (error) return {};
+  const asio::ip::address address = end.address();
+  if (address.is_v6() && address.to_v6().is_v4_mapped())
+    return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
+  return address.to_string();
+}
+
 Call::Call(Tcp::socket socket, Answering& answers, const Patience& patience,
            std::function<void(Work)> in_turn, Work asked, Work closed)
     : socket_(std::move(socket)),
@@ -118,6 +129,7 @@ void Call::answer() {
   ask.type = std::string(request[http::field::content_type]);
   ask.if_none_match = std::string(request[http::field::if_none_match]);
   ask.body = request.body();
+  ask.from = address_of(socket_);
   // HEAD asks for the head of the answer to GET.
   send(answers_.to(ask), ask.method != "HEAD");
 }

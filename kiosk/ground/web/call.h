@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "kiosk/ground/web/message.h"
 #include "kiosk/ground/web/sending.h"
@@ -22,6 +23,9 @@ struct Patience {
   std::chrono::milliseconds progress{10000};  ///< Without a byte that arrives; also what a download
                                               ///< has left when its keepsake is deleted.
 };
+
+/// The address at the other end, an IPv4 one written as such; "" if it is gone.
+std::string address_of(const boost::asio::ip::tcp::socket& socket);
 
 /// One connection: a request of at most 8 KiB head and 1 KiB body, and its answer; a longer head is
 /// told so, and anything else that is no request is closed without a word. Closes itself.

@@ -27,6 +27,7 @@ struct Ask {
   std::string type{};          ///< Content-Type
   std::string if_none_match{};
   std::string body{};
+  std::string from{};  ///< The address that it comes from, "127.0.0.1".
 };
 
 /// Bytes that are sent from a file, or made of it, a piece at a time.

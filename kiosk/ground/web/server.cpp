@@ -38,14 +38,6 @@ std::size_t most_at_once(std::size_t wanted) {
   return std::clamp<std::size_t>((limit - std::min(limit, kOwnDescriptors)) / 2, 1, wanted);
 }
 
-std::string name_of(const Tcp::socket& socket) {
-  error_code error;
-  const asio::ip::address address = socket.remote_endpoint(error).address();
-  if (address.is_v6() && address.to_v6().is_v4_mapped())
-    return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
-  return address.to_string();
-}
-
 }  // namespace
 
 Result<Listening> listening(const std::string& text) {
@@ -95,7 +87,7 @@ struct Server::Inside {
     });
   }
   void take(Tcp::socket socket) {
-    const std::string address = name_of(socket);
+    const std::string address = address_of(socket);
     const ConnectionShares::Entry entry = shares.enter(address);
     if (const auto out = calls.find(entry.out); out != calls.end())
       if (const auto call = out->second.lock()) call->end();

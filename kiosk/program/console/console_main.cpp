@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +26,7 @@ constexpr const char* kHelp =
     "The kiosk plays without it.\n\n"
     "Usage: onggi-console --site DIR [--listen 127.0.0.1:8090]    the staff's page; DIR holds\n"
     "                     config/ and content/. It prints the address to open\n"
+    "       onggi-console --site DIR --code    another way in, good once and for an hour\n"
     "       onggi-console --phone-only --keepsakes DIR [--listen 127.0.0.1:8080]\n"
     "                     [--languages content/languages]\n"
     "       onggi-console --pass DIR/VISIT [--hours 24]   prints the path of a new page\n"
@@ -34,8 +37,8 @@ constexpr const char* kHelp =
     "Exit: 0 success, 1 a fault of the machine, 2 a mistake in the input.\n";
 
 struct Arguments {
-  std::string site, keepsakes, listen, pass, hours = "24", languages, stl, to = "pot.stl";
-  bool phone_only = false, help = false;
+  std::string site, state, keepsakes, listen, pass, hours = "24", languages, stl, to = "pot.stl";
+  bool phone_only = false, code = false, help = false;
   std::vector<std::string_view> given;  // options, without --help
 };
 
@@ -47,13 +50,14 @@ onggi::Result<Arguments> read(int count, char** values) {
       a.help = true;
       continue;
     }
-    if (name == "--phone-only") {
-      a.phone_only = true;
+    if (name == "--phone-only" || name == "--code") {
+      (name == "--code" ? a.code : a.phone_only) = true;
       a.given.push_back(name);
       continue;
     }
     std::string* field = name == "--keepsakes"   ? &a.keepsakes
                          : name == "--site"      ? &a.site
+                         : name == "--state"     ? &a.state
                          : name == "--listen"    ? &a.listen
                          : name == "--pass"      ? &a.pass
                          : name == "--hours"     ? &a.hours
@@ -86,13 +90,15 @@ onggi::Result<void> fitting(const Arguments& a) {
   if (action.empty())
     return onggi::problem("onggi-console", "The action is missing.",
                           "Use --site for the staff's page, --phone-only for visitors' phones.");
+  constexpr std::pair<std::string_view, std::string_view> kSeen[] = {
+      {"--hours", "--pass"},           {"--to", "--stl"},
+      {"--state", "--site"},           {"--code", "--site"},
+      {"--listen", "--site"},          {"--listen", "--phone-only"},
+      {"--keepsakes", "--phone-only"}, {"--languages", "--phone-only"}};
   for (const std::string_view name : a.given) {
-    const std::string_view of = name == "--hours"                                         ? "--pass"
-                                : name == "--to"                                          ? "--stl"
-                                : name == "--pass" || name == "--stl" || name == "--site" ? name
-                                : name == "--listen" && action == "--site"                ? action
-                                                                           : "--phone-only";
-    if (of != action)
+    const bool seen =
+        name == action || std::ranges::find(kSeen, std::pair(name, action)) != std::end(kSeen);
+    if (!seen)
       return onggi::problem(std::string(name), "It has no effect with " + std::string(action) + ".",
                             "Leave out one of the two: see onggi-console --help.");
   }
@@ -176,6 +182,21 @@ std::filesystem::path onggi_program() {
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "onggi";
 }
 
+/// Where the program keeps who may use the page of the exhibit `file`: systemd's folder, else one
+/// of this user's, by the exhibit's path.
+std::filesystem::path state_for(const Arguments& a, const std::filesystem::path& file) {
+  if (!a.state.empty()) return a.state;
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::filesystem::path(value != nullptr ? value : "");
+  };
+  if (const auto given = set("STATE_DIRECTORY"); !given.empty()) return given;
+  std::string own = file.parent_path().parent_path().string();
+  std::replace(own.begin(), own.end(), '/', '_');
+  const auto states = set("XDG_STATE_HOME");
+  return (states.empty() ? set("HOME") / ".local/state" : states) / "onggi-console" / own;
+}
+
 /// The Host fields by which this server is asked.
 std::vector<std::string> hosts_of(const std::string& address, std::uint16_t port) {
   const bool v6 = address.find(':') != std::string::npos;
@@ -199,14 +220,27 @@ onggi::Result<int> serve_staff(const Arguments& a) {
   auto site = console::Site::open(a.site);
   if (!site) return tl::unexpected(site.error());
   onggi::files::note_reads(false);  // it reads for days, and writes no output over what it read
-  const std::filesystem::path file = site->file();
-  console::StaffAnswers staff(std::move(*site), console::FileCheck(onggi_program(), file),
-                              [] { return static_cast<std::int64_t>(std::time(nullptr)); });
+  const std::filesystem::path file = site->file(), state = state_for(a, file);
+  auto people = console::People::open(state);
+  if (!people) return tl::unexpected(people.error());
+  const auto clock = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
+  if (a.code) {
+    const auto code = console::Door::give_code(state, clock());
+    if (!code) return tl::unexpected(code.error());
+    std::cout << "Put this behind the page's address, within an hour. It opens once:\n  /?code="
+              << *code << '\n';
+    return 0;
+  }
+  console::StaffAnswers staff({.site = std::move(*site),
+                               .check = console::FileCheck(onggi_program(), file),
+                               .people = std::move(*people),
+                               .changes = console::ChangeLog(state),
+                               .clock = clock});
   const auto server = onggi::web::Server::listen(at->address, at->port, staff);
   if (!server) return tl::unexpected(server.error());
   // The port may be any free one.
   const std::uint16_t port = (*server)->port();
-  auto door = console::Door::make("onggi_staff_" + std::to_string(port));
+  auto door = console::Door::make("onggi_staff_" + std::to_string(port), state, clock());
   if (!door) return tl::unexpected(door.error());
   const auto hosts = hosts_of(at->address, port);
   std::cout << "The staff's page of " << file.string() << '\n'
@@ -215,7 +249,10 @@ onggi::Result<int> serve_staff(const Arguments& a) {
                "page; the kiosk goes on."
             << std::endl;
   staff.open(std::move(*door), hosts);
-  (*server)->run([] { return false; });
+  (*server)->run([&staff] {
+    staff.look_after();
+    return false;
+  });
   return 0;
 }
 

@@ -1,16 +1,36 @@
 #include "kiosk/program/console/door.h"
 
-#include <algorithm>
-#include <utility>
+#include <sodium.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
+#include <sstream>
+
+#include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/read_file.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 
 namespace onggi::console {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 // A browser that drops its cookie at each request shall not fill the memory.
 constexpr std::size_t kMostSessions = 64;
+constexpr std::size_t kMostOfACode = 1024;  // bytes of its file
+
+fs::path code_file(const fs::path& state) { return state / "code"; }
+
+/// Of a code, in letters. A code has 130 random bits, so a quick hash keeps it.
+std::string digest_of(const std::string& code) {
+  std::array<unsigned char, crypto_hash_sha256_BYTES> bytes{};
+  ::crypto_hash_sha256(bytes.data(), reinterpret_cast<const unsigned char*>(code.data()),
+                       code.size());
+  std::array<char, 2 * crypto_hash_sha256_BYTES + 1> text{};
+  return ::sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
+}
 
 }  // namespace
 
@@ -27,10 +47,7 @@ std::string cookie_of(std::string_view cookies, std::string_view name) {
 }
 
 bool same_secret(std::string_view a, std::string_view b) {
-  unsigned differs = a.size() == b.size() ? 0u : 1u;
-  for (std::size_t n = 0; n < std::min(a.size(), b.size()); ++n)
-    differs |= static_cast<unsigned>(static_cast<unsigned char>(a[n] ^ b[n]));
-  return differs == 0;
+  return a.size() == b.size() && ::sodium_memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
 std::string Door::set_cookie(const std::string& token, std::int64_t seconds) const {
@@ -38,42 +55,77 @@ std::string Door::set_cookie(const std::string& token, std::int64_t seconds) con
          "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds);
 }
 
-Result<Door> Door::make(std::string cookie) {
+Result<Door> Door::make(std::string cookie, fs::path state, std::int64_t now) {
   auto code = souvenir::Passes::new_token();
   if (!code) return tl::unexpected(code.error());
-  return Door(std::move(cookie), std::move(*code));
+  return Door(std::move(cookie), std::move(state), std::move(*code), now);
+}
+
+Result<std::string> Door::give_code(const fs::path& state, std::int64_t now) {
+  auto code = souvenir::Passes::new_token();
+  if (!code) return code;
+  const std::string text = digest_of(*code) + ' ' + std::to_string(now + kCodeLasts) + '\n';
+  if (auto written = files::write_durably(code_file(state), std::as_bytes(std::span(text)));
+      !written)
+    return tl::unexpected(written.error());
+  return code;
+}
+
+bool Door::take_given(const std::string& code, std::int64_t now) const {
+  const auto bytes = files::read_file(code_file(state_), kMostOfACode);
+  if (!bytes) return false;
+  std::istringstream words(std::string(bytes->begin(), bytes->end()));
+  std::string digest;
+  std::int64_t until = 0;
+  words >> digest >> until;
+  // One that lasts longer than any was given while the clock was ahead.
+  if (!same_secret(digest, digest_of(code)) || now >= until || until - now > kCodeLasts)
+    return false;
+  std::error_code error;
+  return fs::remove(code_file(state_), error);  // good once, or not at all
 }
 
 std::string Door::enter(const std::string& code, std::int64_t now) {
-  if (!same_secret(code, code_)) return {};
+  const bool printed = same_secret(code, code_) && now - made_ < kCodeLasts;
+  if (!printed && !take_given(code, now)) return {};
   auto next = souvenir::Passes::new_token();
+  if (!next) return {};
+  if (printed) code_ = std::move(*next);
+  return admit(Session::kByCode, Role::editor, now);
+}
+
+std::string Door::admit(const std::string& who, Role role, std::int64_t now) {
   auto token = souvenir::Passes::new_token();
-  // Two: 256 bits.
-  auto more = souvenir::Passes::new_token();
-  if (!next || !token || !more) return {};
-  code_ = std::move(*next);
+  auto more = souvenir::Passes::new_token();  // together 256 bits and more
+  if (!token || !more) return {};
   if (sessions_.size() >= kMostSessions)
     sessions_.erase(std::min_element(sessions_.begin(), sessions_.end(), [](auto& a, auto& b) {
       return a.second.seen < b.second.seen;
     }));
   const std::string whole = *token + *more;
-  sessions_[whole] = {now, now};
+  sessions_[whole] = {who, role, now, now};
   return set_cookie(whole, kLongest);
 }
 
-bool Door::knows(const web::Ask& ask, std::int64_t now) {
+const Session* Door::session_of(const web::Ask& ask, std::int64_t now) {
   std::erase_if(sessions_, [now](const auto& one) {
-    return now - one.second.from >= kLongest || now - one.second.seen >= kIdle;
+    // Nor does a clock that was set back make it last longer.
+    return now - one.second.from >= kLongest || now - one.second.seen >= kIdle ||
+           one.second.seen - now >= kIdle;
   });
   const std::string token = cookie_of(ask.cookie, cookie_);
   for (auto& [known, session] : sessions_)
-    if (same_secret(known, token)) return session.seen = now, true;
-  return false;
+    if (same_secret(known, token)) return session.seen = now, &session;
+  return nullptr;
 }
 
 std::string Door::leave(const web::Ask& ask) {
   sessions_.erase(cookie_of(ask.cookie, cookie_));
   return set_cookie("gone", 0);
+}
+
+void Door::end_all_of(const std::string& who) {
+  std::erase_if(sessions_, [&who](const auto& one) { return one.second.who == who; });
 }
 
 }  // namespace onggi::console

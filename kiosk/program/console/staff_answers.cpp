@@ -1,7 +1,6 @@
 #include "kiosk/program/console/staff_answers.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -10,11 +9,10 @@
 #include "kiosk/ground/files/json.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/paths.h"
-#include "kiosk/keepsake/phone/sent_keepsake.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/store/figures_report.h"
 #include "kiosk/picture/drawing/plot.h"
-#include "kiosk/picture/view/square_code.h"
+#include "kiosk/program/console/said.h"
 #include "kiosk/program/console/staff_page_files.h"
 #include "kiosk/program/console/state_report.h"
 #include "kiosk/program/desk/kept.h"
@@ -27,119 +25,18 @@ namespace {
 namespace fs = std::filesystem;
 using files::Json;
 
-constexpr const char* kJson = "application/json; charset=utf-8";
-constexpr std::size_t kMostListed = 200;  // keepsakes
+constexpr std::size_t kMostShown = 200;  // changes
 
 struct PageFile {
   const char *name, *type, *text;
 };
 const PageFile kPageFiles[] = {{"/staff.js", "text/javascript; charset=utf-8", k_staff_js},
                                {"/print.js", "text/javascript; charset=utf-8", k_print_js},
+                               {"/door.js", "text/javascript; charset=utf-8", k_door_js},
                                {"/staff.css", "text/css; charset=utf-8", k_staff_css},
                                {"/staff.svg", "image/svg+xml", k_staff_svg}};
 
-struct Picture {
-  const char *name, *type;
-};
-constexpr Picture kPictures[] = {
-    {souvenir::kSmall, "image/jpeg"},     {souvenir::kPostcard, "image/jpeg"},
-    {souvenir::kPrint, "image/jpeg"},     {souvenir::kTurning, "image/gif"},
-    {souvenir::kRollout, "image/jpeg"},   {souvenir::kSheet, "image/jpeg"},
-    {souvenir::kPostcardPng, "image/png"}};
-/// What is printed: the first of these that is there. The first two have the visitor's code.
-constexpr std::array kPrinted{souvenir::kPrint, souvenir::kPostcardPng, souvenir::kPostcard};
-
-/// JSON with a tag, or 304 where the browser has this one.
-web::Answer json(const web::Ask& ask, const std::string& text) {
-  const std::string tag = '"' + std::to_string(std::hash<std::string>{}(text)) + '"';
-  web::Answer answer{.status = 200, .type = kJson, .body = text};
-  if (ask.if_none_match == tag) answer = {.status = 304, .type = ""};
-  answer.fields = {{"ETag", tag}};
-  return answer;
-}
-
-web::Answer json(const Json& value) {
-  return {.status = 200, .type = kJson, .body = value.text(-1)};
-}
-
-web::Answer refused(int status, const Problem& p) {
-  return {
-      .status = status,
-      .type = kJson,
-      .body = Json::object({{"where", p.where}, {"what", p.what}, {"remedy", p.remedy}}).text(-1)};
-}
-
-web::Answer refused(int status, const char* what, const char* remedy) {
-  return refused(status, Problem{"", what, remedy});
-}
-
-/// A day or a name as a query writes it: '+' and %20 are blanks.
-std::string decoded(std::string_view text) {
-  const auto digit = [](char c) {
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-  };
-  std::string out;
-  for (std::size_t n = 0; n < text.size(); ++n) {
-    const int high = text[n] == '%' && n + 2 < text.size() ? digit(text[n + 1]) : -1;
-    const int low = high >= 0 ? digit(text[n + 2]) : -1;
-    if (low >= 0) {
-      out += static_cast<char>(16 * high + low);
-      n += 2;
-    } else {
-      out += text[n] == '+' ? ' ' : text[n];
-    }
-  }
-  return out;
-}
-
-std::string query(const web::Ask& ask, std::string_view name) {
-  return decoded(web::asked_for(ask.target, name));
-}
-
-/// The parts of "/keepsake/VISIT/FILE".
-std::vector<std::string> parts_of(std::string_view path) {
-  std::vector<std::string> parts;
-  while (!path.empty()) {
-    path.remove_prefix(1);
-    const std::size_t end = std::min(path.find('/'), path.size());
-    parts.emplace_back(path.substr(0, end));
-    path.remove_prefix(end);
-  }
-  return parts;
-}
-
-/// A visit's folder, as save() names them, that is there.
-bool is_visit(const fs::path& keepsakes, const std::string& name) {
-  std::error_code error;
-  return souvenir::is_visit_name(name) && souvenir::visit_name(name) == name &&
-         !name.ends_with(souvenir::kPartial) &&
-         fs::symlink_status(keepsakes / name, error).type() == fs::file_type::directory;
-}
-
-/// What OpenPasses wants to know of a visit to open its files.
-souvenir::Pass pass_of(const std::string& visit) {
-  souvenir::Pass pass;
-  pass.visit = visit;
-  return pass;
-}
-
-std::string in_words(std::string id) {
-  std::replace(id.begin(), id.end(), '_', ' ');
-  return id;
-}
-
-Json json_of(const view::SquareCode& code) {
-  Json rows = Json::list();
-  for (int y = 0; y < code.side(); ++y) {
-    std::string row;
-    for (int x = 0; x < code.side(); ++x) row += code.dark(x, y) ? '1' : '0';
-    rows.push_back(row);
-  }
-  return rows;
-}
+web::Answer not_an_editor() { return refused(403, "This is for editors.", "Ask one of them."); }
 
 }  // namespace
 
@@ -154,75 +51,188 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
   if (reads)
     for (const auto& [name, type, text] : kPageFiles)
       if (ask.target == name) return {.status = 200, .type = type, .body = text};
-  const std::int64_t now = clock_();
-  if (ask.method == "GET" && ask.target.starts_with("/?code="))
-    if (const std::string cookie = door_->enter(web::asked_for(ask.target, "code"), now);
-        !cookie.empty())
-      // Without the code, which is no longer good.
+  if (!reads && ask.method != "POST")
+    return refused(405, "This cannot be done here.", "Use the page.");
+  // Another site can send a form here, but neither of these.
+  if (!reads && ask.origin != "http://" + ask.host && ask.origin != "https://" + ask.host)
+    return refused(403, "This came from another page.", "Use the page itself.");
+  if (!reads && !ask.type.starts_with("application/json"))
+    return refused(415, "Changes are sent as JSON.", "Use the page itself.");
+  if (ask.method == "GET" && ask.target.starts_with("/?code=")) {
+    const std::string cookie = door_->enter(web::asked_for(ask.target, "code"), parts_.clock());
+    // Without the code, which is no longer good.
+    if (!cookie.empty())
       return {.status = 303, .type = "", .fields = {{"Location", "/"}, {"Set-Cookie", cookie}}};
-  if (!door_->knows(ask, now)) {
-    if (reads && (ask.target == "/" || ask.target.starts_with("/?")))
-      return {.status = 401, .body = k_door_html};
-    return refused(401, "You are not signed in, or not any more.",
-                   "Start onggi-console again, and open the address that it prints.");
   }
-  if (reads) return get(ask);
-  if (ask.method == "POST") return post(ask);
-  return refused(405, "This cannot be done here.", "Use the page.");
+  const Session* session = door_->session_of(ask, parts_.clock());
+  if (session == nullptr) return outside(ask);
+  // What is done may end it.
+  const Session copy = *session;
+  return reads ? get(ask, copy) : post(ask, copy);
 }
 
-web::Answer StaffAnswers::get(const web::Ask& ask) {
+web::Answer StaffAnswers::outside(const web::Ask& ask) {
+  if (ask.target == "/api/enter" && ask.method == "POST") return enter(ask);
+  if (ask.method != "POST" && (ask.target == "/" || ask.target.starts_with("/?")))
+    return {.status = 401, .body = k_door_html};
+  if (ask.method != "POST" && ask.target == "/api/door") {
+    const auto people = parts_.people.all();
+    return json(Json::object({{"names", people && !people->empty()}}));
+  }
+  return refused(401, "You are not signed in, or not any more.", "Load this page again.");
+}
+
+web::Answer StaffAnswers::enter(const web::Ask& ask) {
+  const Words words(ask.body);
+  const std::string name = words["name"];
+  const std::int64_t now = parts_.clock();
+  if (const std::int64_t wait = patience_.wait(name, ask.from, now); wait > 0) {
+    web::Answer later = refused(429, "That was wrong before.",
+                                "Wait " + std::to_string(wait) + " s, and try again.");
+    later.fields = {{"Retry-After", std::to_string(wait)}};
+    return later;
+  }
+  const auto role = parts_.people.role_with(name, words["passphrase"]);
+  if (!role) return refused(500, role.error());
+  if (!*role) {
+    patience_.wrong(name, ask.from, now);
+    return refused(401, "This name and passphrase do not belong together.",
+                   "Try again. If you forgot it, ask an editor for another.");
+  }
+  patience_.right(name, ask.from);
+  const std::string cookie = door_->admit(name, **role, now);
+  if (cookie.empty()) return refused(500, "The machine gives no random numbers.", "Restart it.");
+  return {.status = 200, .type = kJson, .body = "{}", .fields = {{"Set-Cookie", cookie}}};
+}
+
+web::Answer StaffAnswers::get(const web::Ask& ask, const Session& session) {
   const std::string path = ask.target.substr(0, ask.target.find('?'));
   if (path == "/") return {.status = 200, .body = k_staff_html};
-  if (path == "/api/state") return state(ask);
-  if (path == "/api/files") return json(ask, check_.json());
+  if (path == "/api/state") return state(ask, session);
+  if (path == "/api/files") return json(ask, parts_.check.json());
   if (path == "/api/figures") return figures(ask, false);
   if (path == "/figures.svg") return figures(ask, true);
-  if (path == "/api/keepsakes") return keepsakes(ask);
+  if (path == "/api/keepsakes") return desk_.keepsakes(ask);
   const auto parts = parts_of(path);
-  if (parts.size() == 3 && parts[0] == "keepsake") return picture(ask, parts[1], parts[2]);
-  if (parts.size() == 2 && parts[0] == "print") return print_page(parts[1]);
+  if (parts.size() == 3 && parts[0] == "keepsake") return desk_.picture(ask, parts[1], parts[2]);
+  if (parts.size() == 2 && parts[0] == "print") return desk_.print_page(parts[1]);
+  if (path == "/api/people" || path == "/api/changes") {
+    if (session.role != Role::editor) return not_an_editor();
+    return path == "/api/people" ? people() : changes();
+  }
   return refused(404, "There is no such page.", "Go back to the first one.");
 }
 
-web::Answer StaffAnswers::post(const web::Ask& ask) {
-  // Another site can send a form here, but neither of these.
-  if (ask.origin != "http://" + ask.host && ask.origin != "https://" + ask.host)
-    return refused(403, "This came from another page.", "Use the page itself.");
-  if (!ask.type.starts_with("application/json"))
-    return refused(415, "Changes are sent as JSON.", "Use the page itself.");
+web::Answer StaffAnswers::post(const web::Ask& ask, const Session& session) {
   if (ask.target == "/api/leave")
     return {
         .status = 200, .type = kJson, .body = "{}", .fields = {{"Set-Cookie", door_->leave(ask)}}};
+  if (ask.target == "/api/passphrase")
+    return noted(set_passphrase(ask, session), ask, session, "changed passphrase", session.who);
   const auto parts = parts_of(ask.target);
   if (parts.size() == 4 && parts[0] == "api" && parts[1] == "keepsakes") {
-    if (!is_visit(site_.exhibit().keepsake.folder, parts[2]))
+    if (!desk_.has(parts[2]))
       return refused(404, "This keepsake is not here any more.", "Look at the list again.");
-    if (parts[3] == "pass") return give_pass(parts[2]);
-    if (parts[3] == "delete") return remove(parts[2]);
+    if (parts[3] == "pass")
+      return noted(desk_.give_pass(parts[2], parts_.clock()), ask, session, "gave a pass",
+                   parts[2]);
+    if (parts[3] == "delete")
+      return noted(desk_.remove(parts[2]), ask, session, "deleted keepsake", parts[2]);
   }
+  if (parts.size() >= 2 && parts[0] == "api" && parts[1] == "people")
+    return session.role == Role::editor ? post_people(ask, session) : not_an_editor();
   return refused(404, "This cannot be done here.", "Use the page.");
 }
 
-web::Answer StaffAnswers::state(const web::Ask& ask) {
-  const settings::Exhibit& exhibit = site_.exhibit();
+web::Answer StaffAnswers::noted(web::Answer answer, const web::Ask& ask, const Session& session,
+                                const char* did, const std::string& what) {
+  if (answer.status != 200) return answer;
+  // It is done. That it could not be noted is the staff's to know, and undoes nothing.
+  if (auto added = parts_.changes.add({parts_.clock(), session.who, ask.from, did, what}); !added)
+    parts_.tell(added.error());
+  return answer;
+}
+
+web::Answer StaffAnswers::set_passphrase(const web::Ask& ask, const Session& session) {
+  const Words words(ask.body);
+  const std::int64_t now = parts_.clock();
+  if (patience_.wait(session.who, ask.from, now) > 0)
+    return refused(429, "That was wrong before.", "Wait a minute, and try again.");
+  const auto role = parts_.people.role_with(session.who, words["old"]);
+  if (!role) return refused(500, role.error());
+  if (!*role) {
+    patience_.wrong(session.who, ask.from, now);
+    return refused(409, "The old passphrase is another.", "Try again.");
+  }
+  if (auto set = parts_.people.set(session.who, **role, words["new"]); !set)
+    return refused(set.error());
+  door_->end_all_of(session.who);
+  const std::string cookie = door_->admit(session.who, **role, now);
+  return {.status = 200, .type = kJson, .body = "{}", .fields = {{"Set-Cookie", cookie}}};
+}
+
+web::Answer StaffAnswers::people() {
+  const auto all = parts_.people.all();
+  if (!all) return refused(500, all.error());
+  Json list = Json::list();
+  for (const Person& one : *all)
+    list.push_back(Json::object({{"name", one.name}, {"role", name_of(one.role)}}));
+  return json(list);
+}
+
+web::Answer StaffAnswers::post_people(const web::Ask& ask, const Session& session) {
+  const auto parts = parts_of(ask.target);
+  if (parts.size() == 4 && parts[3] == "remove") {
+    if (auto removed = parts_.people.remove(parts[2]); !removed) return refused(removed.error());
+    door_->end_all_of(parts[2]);
+    return noted(json(Json::object()), ask, session, "removed person", parts[2]);
+  }
+  if (parts.size() != 2) return refused(404, "This cannot be done here.", "Use the page.");
+  const Words words(ask.body);
+  const std::string name = words["name"];
+  const auto role = role_of(words["role"]);
+  if (!role) return refused(409, "This is no role.", "Take desk or editor.");
+  if (auto set = parts_.people.set(name, *role, words["passphrase"]); !set)
+    return refused(set.error());
+  // Whoever was signed in by the old passphrase or with the old role comes in anew.
+  door_->end_all_of(name);
+  return noted(json(Json::object()), ask, session, "set person",
+               name + " (" + name_of(*role) + ')');
+}
+
+web::Answer StaffAnswers::changes() {
+  std::string lines;
+  for (const std::string& line : parts_.changes.newest(kMostShown))
+    lines += (lines.empty() ? "" : ",") + line;
+  return {.status = 200, .type = kJson, .body = '[' + lines + ']'};
+}
+
+void StaffAnswers::look_after() {
+  if (auto forgot = parts_.changes.forget(parts_.clock()); !forgot) parts_.tell(forgot.error());
+}
+
+web::Answer StaffAnswers::state(const web::Ask& ask, const Session& session) {
+  const settings::Exhibit& exhibit = parts_.site.exhibit();
   const fs::path& folder = exhibit.keepsake.folder;
   Known known;
   known.kiosk = watch::look_at_kiosk(folder);
-  known.now = clock_();
-  known.exhibit = site_.file().string();
-  if (known.kiosk.state) known.vessel = in_words(known.kiosk.state->vessel);
+  known.now = parts_.clock();
+  known.exhibit = parts_.site.file().string();
+  if (known.kiosk.state) known.vessel = desk::in_words(known.kiosk.state->vessel);
   std::error_code error;
   // The kiosk makes the folder at its first start.
   const bool there = fs::exists(folder, error);
-  if (const auto space = fs::space(there ? folder : site_.file().parent_path(), error); !error)
+  if (const auto space = fs::space(there ? folder : parts_.site.file().parent_path(), error);
+      !error)
     known.free_bytes = space.available;
   if (!exhibit.phone.address.empty())
     known.phones_answered = souvenir::Passes(folder).served(known.now);
   Json out = json_of(report_of(known));
-  out["title"] = site_.title();
+  out["who"] = session.who;
+  out["role"] = name_of(session.role);
+  out["title"] = parts_.site.title();
   out["credit"] = exhibit.credit;
-  out["exhibit"] = site_.file().string();
+  out["exhibit"] = parts_.site.file().string();
   out["keepsakes"] = folder.string();
   out["phones"] = !exhibit.phone.address.empty();
   out["today"] = files::local_time(static_cast<std::time_t>(known.now), files::kDay);
@@ -232,10 +242,11 @@ web::Answer StaffAnswers::state(const web::Ask& ask) {
 web::Answer StaffAnswers::figures(const web::Ask& ask, bool picture) {
   std::error_code error;
   // The first visit makes the store.
-  if (!picture && !fs::exists(files::store_file(site_.exhibit().keepsake.folder), error) && !error)
+  if (!picture && !fs::exists(files::store_file(parts_.site.exhibit().keepsake.folder), error) &&
+      !error)
     return json(ask, R"({"visits": 0, "words": "No visit has been counted here yet."})");
-  const auto told =
-      figures_.of(site_.exhibit().keepsake.folder, query(ask, "from"), query(ask, "to"), clock_());
+  const auto told = figures_.of(parts_.site.exhibit().keepsake.folder, query(ask, "from"),
+                                query(ask, "to"), parts_.clock());
   if (!told) return refused(picture ? 404 : 409, told.error());
   if (!picture) {
     Json out = store::json_of(**told);
@@ -246,88 +257,6 @@ web::Answer StaffAnswers::figures(const web::Ask& ask, bool picture) {
   return {.status = 200,
           .type = "image/svg+xml",
           .body = std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
-}
-
-web::Answer StaffAnswers::keepsakes(const web::Ask& ask) {
-  const std::string day = query(ask, "day"), name = query(ask, "name");
-  if (!desk::is_day(day)) return refused(409, "This is not a day.", "Write it as 2026-05-31.");
-  std::vector<Problem> remarks;
-  std::error_code error;
-  const fs::path& folder = site_.exhibit().keepsake.folder;
-  Json list = Json::list();
-  // Before the first keepsake there is no folder, and that is no trouble.
-  if (!fs::exists(folder, error) && !error) return json(ask, list.text(-1));
-  const auto kept = desk::open_kept({site_.file(), folder, ""}, remarks);
-  if (!kept) return refused(409, kept.error());
-  const souvenir::OpenPasses opened(folder);
-  std::size_t listed = 0;
-  for (const souvenir::NamedVisit& one : name.empty() ? kept->visits : kept->called(name)) {
-    if (!day.empty() && desk::day_of(one.visit) != day) continue;
-    if (++listed > kMostListed) break;
-    const auto has = [&](const char* file) { return opened.has_file(pass_of(one.visit), file); };
-    list.push_back(Json::object({{"visit", one.visit},
-                                 {"day", desk::day_of(one.visit)},
-                                 {"time", desk::time_of(one.visit).substr(0, 5)},
-                                 {"name", one.spoken.empty() ? "" : kept->said(one)},
-                                 {"vessel", in_words(desk::vessel_of(one.visit))},
-                                 {"small", has(souvenir::kSmall)},
-                                 {"turning", has(souvenir::kTurning)},
-                                 {"sheet", has(souvenir::kSheet)},
-                                 {"rollout", has(souvenir::kRollout)}}));
-  }
-  return json(ask, list.text(-1));
-}
-
-web::Answer StaffAnswers::picture(const web::Ask& ask, const std::string& visit,
-                                  const std::string& name) {
-  const fs::path& folder = site_.exhibit().keepsake.folder;
-  const souvenir::OpenPasses opened(folder);
-  if (is_visit(folder, visit))
-    for (const Picture& one : kPictures) {
-      if (name != one.name) continue;
-      auto file = opened.open_file(pass_of(visit), one.name);
-      if (!file) break;
-      if (file->remark) tell_(*file->remark);
-      return web::part_of(phone::sent(std::move(*file)), one.type, ask);
-    }
-  return refused(404, "This picture is not here.", "Look at the list again.");
-}
-
-web::Answer StaffAnswers::print_page(const std::string& visit) {
-  const fs::path& folder = site_.exhibit().keepsake.folder;
-  std::error_code error;
-  if (is_visit(folder, visit))
-    for (const char* name : kPrinted)
-      if (fs::is_regular_file(folder / visit / name, error))
-        // A visit's name has letters that are safe here (visit_name()).
-        return {.status = 200,
-                .body = std::string(k_print_html) + "<img id=\"card\" alt=\"The postcard\" src=\"" +
-                        "/keepsake/" + visit + '/' + name + "\"></body></html>"};
-  return refused(404, "There is no postcard here.", "Look at the list again.");
-}
-
-web::Answer StaffAnswers::give_pass(const std::string& visit) {
-  const settings::Exhibit& exhibit = site_.exhibit();
-  if (exhibit.phone.address.empty())
-    return refused(409, "Visitors' phones get no pages here.",
-                   "Set address in [phone] of exhibit.toml: kiosk/docs/phone.md says how.");
-  const std::int64_t now = clock_();
-  const auto pass =
-      souvenir::Passes::give_at_the_desk(exhibit.keepsake.folder / visit, now, exhibit.phone.hours);
-  if (!pass) return refused(pass.error().exit_code == 1 ? 500 : 409, pass.error());
-  const std::string address = exhibit.phone.address + "/k/" + pass->token;
-  return json(Json::object(
-      {{"address", address},
-       {"code", json_of(view::SquareCode(address))},
-       {"until", files::local_time(static_cast<std::time_t>(pass->until), "%Y-%m-%d %H:%M")}}));
-}
-
-web::Answer StaffAnswers::remove(const std::string& visit) {
-  const fs::path& folder = site_.exhibit().keepsake.folder;
-  if (const auto gone = souvenir::remove_visit(folder / visit); !gone)
-    return refused(500, gone.error());
-  souvenir::Passes(folder).take_back_all(visit);
-  return json(Json::object({{"deleted", visit}}));
 }
 
 }  // namespace onggi::console

@@ -7,20 +7,28 @@
 #include <utility>
 #include <vector>
 
+#include "kiosk/ground/files/json.h"
 #include "kiosk/ground/files/log.h"
 #include "kiosk/ground/web/message.h"
+#include "kiosk/program/console/change_log.h"
+#include "kiosk/program/console/desk_answers.h"
 #include "kiosk/program/console/door.h"
 #include "kiosk/program/console/figures.h"
 #include "kiosk/program/console/file_check.h"
+#include "kiosk/program/console/patience.h"
+#include "kiosk/program/console/people.h"
 #include "kiosk/program/console/site.h"
 
 namespace onggi::console {
 
-/// The staff's page of one exhibit. Whoever has no session (Door) gets a page that says how to come
-/// in, and 401 for all else.
+/// The staff's page of one exhibit. Whoever has no session (Door) gets a page to sign in, and 401
+/// for all else. (e): an editor alone, 403 for others.
 ///   GET  /                       the page
-///   GET  /?code=CODE             in, by the code of the printed address
-///   GET  /api/state              how the kiosk is, in words
+///   GET  /?code=CODE             in, by a code
+///   GET  /api/door               whether anybody has a name yet
+///   POST /api/enter              {name, passphrase}: in, by them
+///   POST /api/leave              ends the session
+///   GET  /api/state              who is signed in, and how the kiosk is, in words
 ///   GET  /api/files              what onggi check says
 ///   GET  /api/figures?from=&to=  what visitors did, small cells left out
 ///   GET  /figures.svg?from=&to=  the same as a picture
@@ -29,19 +37,29 @@ namespace onggi::console {
 ///   GET  /print/VISIT            a page that prints the postcard
 ///   POST /api/keepsakes/VISIT/pass    a page for the visitor's phone
 ///   POST /api/keepsakes/VISIT/delete  every copy, for good
-///   POST /api/leave              ends the session
+///   POST /api/passphrase         {old, new}: one's own
+///   GET  /api/people         (e) names and roles
+///   POST /api/people         (e) {name, role, passphrase}: adds or changes somebody
+///   POST /api/people/NAME/remove (e)
+///   GET  /api/changes        (e) who changed what, newest first
 /// A POST needs a JSON body, and the page's own address as its Origin. A Host that is not one of
 /// the program's is refused, so that no other site's name can lead here. One thread.
 class StaffAnswers final : public web::Answering {
  public:
-  /// Refuses everything until open(). `clock` gives s since 1970. `tell` gets what the staff should
-  /// know of a file.
-  StaffAnswers(Site site, FileCheck check, std::function<std::int64_t()> clock,
-               std::function<void(const Problem&)> tell = files::log_problem)
-      : site_(std::move(site)),
-        check_(std::move(check)),
-        clock_(std::move(clock)),
-        tell_(std::move(tell)) {}
+  /// What it works with.
+  struct Parts {
+    Site site;
+    FileCheck check;
+    People people;
+    ChangeLog changes;
+    std::function<std::int64_t()> clock;  ///< s since 1970.
+    /// Gets what the staff should know of a file.
+    std::function<void(const Problem&)> tell = files::log_problem;
+  };
+  /// Refuses everything until open().
+  explicit StaffAnswers(Parts parts) : parts_(std::move(parts)), desk_(parts_.site, parts_.tell) {}
+  StaffAnswers(const StaffAnswers&) = delete;
+  StaffAnswers& operator=(const StaffAnswers&) = delete;
   /// `hosts`: the Host fields that are accepted, "127.0.0.1:8090".
   void open(Door door, std::vector<std::string> hosts) {
     door_ = std::move(door);
@@ -51,25 +69,30 @@ class StaffAnswers final : public web::Answering {
   web::Answer to(const web::Ask& ask) override;
   /// After open().
   const Door& door() const { return *door_; }
+  /// Call it once a minute: forgets changes that are too old.
+  void look_after();
 
  private:
-  web::Answer get(const web::Ask& ask);
-  web::Answer post(const web::Ask& ask);
-  web::Answer state(const web::Ask& ask);
+  web::Answer outside(const web::Ask& ask);
+  web::Answer enter(const web::Ask& ask);
+  web::Answer get(const web::Ask& ask, const Session& session);
+  web::Answer post(const web::Ask& ask, const Session& session);
+  web::Answer post_people(const web::Ask& ask, const Session& session);
+  web::Answer state(const web::Ask& ask, const Session& session);
   web::Answer figures(const web::Ask& ask, bool picture);
-  web::Answer keepsakes(const web::Ask& ask);
-  web::Answer picture(const web::Ask& ask, const std::string& visit, const std::string& name);
-  web::Answer print_page(const std::string& visit);
-  web::Answer give_pass(const std::string& visit);
-  web::Answer remove(const std::string& visit);
+  web::Answer set_passphrase(const web::Ask& ask, const Session& session);
+  web::Answer people();
+  web::Answer changes();
+  /// `answer`, noted as a change by `session` if it is a success.
+  web::Answer noted(web::Answer answer, const web::Ask& ask, const Session& session,
+                    const char* did, const std::string& what);
 
-  Site site_;
-  FileCheck check_;
-  std::function<std::int64_t()> clock_;
-  std::function<void(const Problem&)> tell_;
+  Parts parts_;
+  DeskAnswers desk_;
   std::optional<Door> door_;
   std::vector<std::string> hosts_;
   Figures figures_;
+  Patience patience_;
 };
 
 }  // namespace onggi::console

@@ -8,6 +8,7 @@ extern const char* const k_door_html;
 extern const char* const k_print_html;
 extern const char* const k_staff_js;
 extern const char* const k_print_js;
+extern const char* const k_door_js;
 extern const char* const k_staff_css;
 extern const char* const k_staff_svg;
 

@@ -1,5 +1,6 @@
 #include "kiosk/program/desk/kept.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "kiosk/collection/settings/exhibit.h"
@@ -28,6 +29,11 @@ std::string time_of(const std::string& visit) {
 }
 
 std::string vessel_of(const std::string& visit) { return visit.substr(18); }
+
+std::string in_words(std::string id) {
+  std::replace(id.begin(), id.end(), '_', ' ');
+  return id;
+}
 
 std::string stamp_of(std::string typed) {
   if (typed.size() <= 10 || typed[10] != ' ') return typed;

@@ -28,6 +28,9 @@ std::string day_of(const std::string& visit);
 std::string time_of(const std::string& visit);
 std::string vessel_of(const std::string& visit);
 
+/// "moon jar" of "moon_jar".
+std::string in_words(std::string id);
+
 /// "2026-05-04_1415" of "2026-05-04 14:15": how the names of such visits begin.
 std::string stamp_of(std::string typed);
 

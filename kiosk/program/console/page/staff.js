@@ -2,7 +2,7 @@
 "use strict";
 
 const $ = (id) => document.getElementById(id);
-const PARTS = ["now", "desk", "figures", "files"];
+const PARTS = ["now", "desk", "figures", "files", "people"];
 const EVERY = 2000; // ms between two looks at the kiosk
 
 /** An element: made("li", {className: "good"}, "text", otherElement). */
@@ -12,9 +12,9 @@ function made(tag, fields, ...inside) {
   return element;
 }
 
-/** The JSON at `address`. Throws what the kiosk's program says is wrong. */
+/** The JSON at `address`, or the answer to posting `post`. Throws what the kiosk's program says is wrong. */
 async function ask(address, post) {
-  const how = post ? { method: "POST", headers: { "Content-Type": "application/json" }, body: "{}" } : {};
+  const how = post ? { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(post) } : {};
   let answer;
   try {
     answer = await fetch(address, how);
@@ -71,6 +71,9 @@ async function look() {
     if (lines !== shownLines) $("lines").replaceChildren(...said.lines.map(showLine));
     shownLines = lines;
     $("seen").textContent = "Looked at " + new Date().toLocaleTimeString() + ". " + said.exhibit;
+    $("who").textContent = said.who === "(code)" ? "" : said.who;
+    $("own").hidden = said.who === "(code)";
+    document.querySelector("nav a[href='#people']").hidden = said.role !== "editor";
     if (first) begin();
   } catch (error) {
     lose(error);
@@ -145,7 +148,7 @@ function codeOf(rows) {
 
 $("pot-pass").addEventListener("click", async () => {
   try {
-    const pass = await waiting($("pot-words"), "Making a page…", ask(`/api/keepsakes/${opened.visit}/pass`, true));
+    const pass = await waiting($("pot-words"), "Making a page…", ask(`/api/keepsakes/${opened.visit}/pass`, {}));
     $("pot-words").textContent = `The visitor’s phone can open this until ${pass.until}:`;
     $("pot-code").replaceChildren(codeOf(pass.code), made("p", { className: "address" }, pass.address));
   } catch (error) {
@@ -163,7 +166,7 @@ $("pot-no").addEventListener("click", () => {
 });
 $("pot-yes").addEventListener("click", async () => {
   try {
-    await waiting($("pot-words"), "Deleting…", ask(`/api/keepsakes/${opened.visit}/delete`, true));
+    await waiting($("pot-words"), "Deleting…", ask(`/api/keepsakes/${opened.visit}/delete`, {}));
     $("pot").close();
     await showPots();
     $("found").textContent = `Deleted: ${opened.name || "(no name)"}. ` + $("found").textContent;
@@ -235,6 +238,76 @@ async function showFiles() {
   }
 }
 
+// ---- People
+
+async function showPeople() {
+  try {
+    const people = await ask("/api/people");
+    $("people-list").replaceChildren(...people.map(showPerson));
+    if (people.length === 0)
+      $("people-words").textContent = "Nobody has a name yet. The first one should be an editor, and you.";
+    $("person-role").value = people.length === 0 ? "editor" : $("person-role").value;
+    const changes = await ask("/api/changes");
+    $("changes-list").replaceChildren(...changes.map(({ at, who, did, what }) =>
+      made("li", {}, `${new Date(at * 1000).toLocaleString()}  ${who}  ${did}: ${what}`)));
+  } catch (error) {
+    tell($("people-words"), error);
+  }
+}
+
+function showPerson({ name, role }) {
+  const change = made("button", { className: "quiet" }, "Change"), remove = made("button", { className: "danger" }, "Remove");
+  change.addEventListener("click", () => {
+    $("person-name").value = name;
+    $("person-role").value = role;
+    $("person-passphrase").focus();
+    $("people-words").textContent = `Choose what ${name} may do. Without a new passphrase the old one stays.`;
+  });
+  remove.addEventListener("click", async () => {
+    if (remove.textContent === "Remove") {
+      remove.textContent = `Really remove ${name}?`;
+      setTimeout(() => { remove.textContent = "Remove"; }, 5000);
+      return;
+    }
+    await savePeople(`/api/people/${name}/remove`, {}, `${name} is removed, and signed out.`);
+  });
+  return made("li", {}, made("div", {}, made("h3", {}, name), made("p", { className: "small" }, role)),
+    made("div", { className: "actions" }, change, remove));
+}
+
+async function savePeople(address, post, words) {
+  try {
+    await waiting($("people-words"), "Saving…", ask(address, post));
+    $("person").reset();
+    await showPeople();
+    $("people-words").textContent = words;
+  } catch (error) {
+    tell($("people-words"), error);
+  }
+}
+$("person").addEventListener("submit", (event) => {
+  event.preventDefault();
+  const name = $("person-name").value.trim();
+  savePeople("/api/people", { name, role: $("person-role").value, passphrase: $("person-passphrase").value },
+    `${name} may sign in as ${$("person-role").value}.`);
+});
+
+$("own").addEventListener("click", () => {
+  $("passphrase-form").reset();
+  $("passphrase-words").replaceChildren();
+  $("passphrase").showModal();
+});
+$("passphrase-close").addEventListener("click", () => $("passphrase").close());
+$("passphrase-form").addEventListener("submit", async (event) => {
+  event.preventDefault();
+  try {
+    await ask("/api/passphrase", { old: $("passphrase-old").value, new: $("passphrase-new").value });
+    $("passphrase").close();
+  } catch (error) {
+    tell($("passphrase-words"), error);
+  }
+});
+
 // ---- Which part is shown
 
 const part = () => (PARTS.includes(location.hash.slice(1)) ? location.hash.slice(1) : "now");
@@ -249,6 +322,7 @@ function showPart() {
   if (part() === "desk") showPots();
   if (part() === "figures") showFigures();
   if (part() === "files") showFiles();
+  if (part() === "people") showPeople();
 }
 function begin() {
   $("day").value = state.today;
@@ -258,7 +332,7 @@ addEventListener("hashchange", () => { showPart(); $("content").focus({ preventS
 
 $("leave").addEventListener("click", async () => {
   try {
-    await ask("/api/leave", true);
+    await ask("/api/leave", {});
   } finally {
     location.href = "/";
   }

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import unittest
 
-OPTIONS = ("--site", "--keepsakes", "--listen", "--languages", "--pass", "--hours", "--stl", "--to")
+OPTIONS = ("--site", "--state", "--keepsakes", "--listen", "--languages", "--pass", "--hours", "--stl", "--to")
 
 
 class CommandLine(unittest.TestCase):
@@ -32,7 +32,7 @@ class CommandLine(unittest.TestCase):
         for action, wrong in ((("--pass", "x"), "--keepsakes"), (("--pass", "x"), "--to"), (("--pass", "x"), "--stl"),
                               (("--stl", "x"), "--hours"), (("--stl", "x"), "--listen"),
                               (("--phone-only", "--keepsakes", "x"), "--hours"), (("--site", "x"), "--keepsakes"),
-                              (("--site", "x"), "--languages")):
+                              (("--site", "x"), "--languages"), (("--phone-only", "--keepsakes", "x"), "--state")):
             self.assertIn(f"{wrong}: It has no effect with {action[0]}.\n",
                           self.said(*action, wrong, "1"))
         self.assertIn("--phone-only: It has no effect with --stl.", self.said("--phone-only", "--stl", "x"))

@@ -37,10 +37,15 @@ class StaffPage : public ::testing::Test {
     std::ofstream(keepsakes_ / kJar / "name.txt") << "quiet-blue-heron\n";
     auto site = Site::open(site_.path());
     ASSERT_TRUE(site) << to_text(site.error());
-    staff_ = std::make_unique<StaffAnswers>(std::move(*site),
-                                            FileCheck("/bin/true", site_ / "config/exhibit.toml"),
-                                            [this] { return now_; });
-    auto door = Door::make("staff");
+    auto people = People::open(state_);
+    ASSERT_TRUE(people) << to_text(people.error());
+    staff_ = std::make_unique<StaffAnswers>(
+        StaffAnswers::Parts{.site = std::move(*site),
+                            .check = FileCheck("/bin/true", site_ / "config/exhibit.toml"),
+                            .people = std::move(*people),
+                            .changes = ChangeLog(state_),
+                            .clock = [this] { return now_; }});
+    auto door = Door::make("staff", state_, now_);
     ASSERT_TRUE(door);
     staff_->open(std::move(*door), {kHost, "localhost:8090"});
     const web::Answer in =
@@ -67,11 +72,31 @@ class StaffPage : public ::testing::Test {
             .body = "{}"};
   }
   web::Answer get(const std::string& target) const { return staff_->to(asking(target)); }
-  web::Answer post(const std::string& target) const { return staff_->to(posting(target)); }
+  web::Answer post(const std::string& target, const std::string& body = "{}") const {
+    web::Ask ask = posting(target);
+    ask.body = body;
+    return staff_->to(ask);
+  }
+  /// Comes in anew by name and passphrase, from `from`.
+  web::Answer enter(const std::string& name, const std::string& passphrase,
+                    const std::string& from = "127.0.0.1") {
+    web::Ask ask = posting("/api/enter");
+    ask.cookie = "";
+    ask.from = from;
+    ask.body = R"({"name": ")" + name + R"(", "passphrase": ")" + passphrase + "\"}";
+    web::Answer answer = staff_->to(ask);
+    for (const auto& [field, value] : answer.fields)
+      if (field == "Set-Cookie") cookie_ = value.substr(0, value.find(';'));
+    return answer;
+  }
+  web::Answer add(const std::string& name, const std::string& role) const {
+    return post("/api/people", R"({"name": ")" + name + R"(", "role": ")" + role +
+                                   R"(", "passphrase": "a passphrase of )" + name + "\"}");
+  }
 
   std::int64_t now_ = kNow;
   files::test::ScratchFolder site_;
-  fs::path keepsakes_ = site_ / "keepsakes";
+  fs::path keepsakes_ = site_ / "keepsakes", state_ = site_ / "state";
   std::unique_ptr<StaffAnswers> staff_;
   std::string cookie_;
 };
@@ -253,6 +278,90 @@ TEST_F(StaffPage, FiguresAreThoseOfOnggiStatsWithSmallCellsLeftOut) {
   const web::Answer picture = get("/figures.svg?from=2026-05-28&to=2026-05-28");
   EXPECT_EQ(picture.status, 200);
   EXPECT_THAT(picture.body, HasSubstr("<svg"));
+}
+
+TEST_F(StaffPage, TheDeskDoesTheDesksWorkAndAnEditorDecidesWhoMay) {
+  const web::Ask stranger{.method = "GET", .target = "/api/door", .host = kHost};
+  EXPECT_THAT(staff_->to(stranger).body, HasSubstr("false"));
+  ASSERT_EQ(add("maria", "desk").status, 200);
+  EXPECT_THAT(staff_->to(stranger).body, AllOf(HasSubstr("true"), Not(HasSubstr("maria"))));
+  ASSERT_EQ(add("joon", "editor").status, 200);
+  EXPECT_THAT(get("/api/people").body,
+              AllOf(HasSubstr("maria"), HasSubstr("joon"), Not(HasSubstr("argon"))));
+  EXPECT_EQ(enter("maria", "a passphrase of maria").status, 200);
+  EXPECT_THAT(get("/api/state").body,
+              AllOf(HasSubstr("\"who\":\"maria\""), HasSubstr("\"role\":\"desk\"")));
+  for (const std::string& target : kRead) EXPECT_NE(get(target).status, 403) << target;
+  for (const char* target : {"/api/people", "/api/changes"})
+    EXPECT_EQ(get(target).status, 403) << target;
+  EXPECT_EQ(add("nobody", "editor").status, 403);
+  EXPECT_EQ(post("/api/people/joon/remove").status, 403);
+  EXPECT_EQ(post(std::string("/api/keepsakes/") + kJar + "/delete").status, 200);
+  EXPECT_EQ(enter("joon", "a passphrase of joon").status, 200);
+  EXPECT_EQ(add("somebody", "desk").status, 200);
+  EXPECT_THAT(get("/api/changes").body,
+              AllOf(HasSubstr("\"who\":\"maria\""), HasSubstr("deleted keepsake"), HasSubstr(kJar),
+                    HasSubstr("somebody (desk)"), Not(HasSubstr("passphrase of"))));
+}
+
+TEST_F(StaffPage, WhoIsRemovedOrGetsAnotherRoleIsSignedOut) {
+  ASSERT_EQ(add("maria", "desk").status, 200);
+  const std::string editor = cookie_;
+  for (const bool remove : {false, true}) {
+    ASSERT_EQ(enter("maria", "a passphrase of maria").status, 200);
+    const std::string maria = cookie_;
+    cookie_ = editor;
+    EXPECT_EQ((remove ? post("/api/people/maria/remove")
+                      : post("/api/people", R"({"name": "maria", "role": "editor"})"))
+                  .status,
+              200);
+    EXPECT_EQ(get("/api/state").status, 200);
+    cookie_ = maria;
+    EXPECT_EQ(get("/api/state").status, 401) << remove;
+  }
+  EXPECT_EQ(enter("maria", "a passphrase of maria").status, 401);
+}
+
+TEST_F(StaffPage, AWrongPassphraseSlowsTheNextDownAndLocksNobodyOut) {
+  ASSERT_EQ(add("maria", "desk").status, 200);
+  EXPECT_EQ(enter("maria", "a passphrase of marta").status, 401);
+  EXPECT_EQ(enter("nobody", "a passphrase of maria").status, 401);
+  const web::Answer later = enter("maria", "a passphrase of maria");
+  EXPECT_EQ(later.status, 429);
+  EXPECT_THAT(later.body, HasSubstr("Wait 1 s"));
+  EXPECT_EQ(enter("maria", "a passphrase of maria", "192.168.4.9").status, 200)
+      << "from another address she waits for nothing";
+  now_ += 1;
+  EXPECT_EQ(enter("maria", "a passphrase of maria").status, 200);
+}
+
+TEST_F(StaffPage, OnesOwnPassphraseIsChangedByTheOldOneAndEndsOnesOtherSessions) {
+  ASSERT_EQ(add("maria", "desk").status, 200);
+  ASSERT_EQ(enter("maria", "a passphrase of maria").status, 200);
+  const std::string elsewhere = cookie_;
+  ASSERT_EQ(enter("maria", "a passphrase of maria").status, 200);
+  EXPECT_EQ(post("/api/passphrase", R"({"old": "wrong", "new": "another passphrase"})").status,
+            409);
+  now_ += 2;
+  EXPECT_EQ(post("/api/passphrase", R"({"old": "a passphrase of maria", "new": "short"})").status,
+            409);
+  EXPECT_EQ(
+      post("/api/passphrase", R"({"old": "a passphrase of maria", "new": "another passphrase"})")
+          .status,
+      200);
+  cookie_ = elsewhere;
+  EXPECT_EQ(get("/api/state").status, 401);
+  EXPECT_EQ(enter("maria", "another passphrase").status, 200);
+}
+
+TEST_F(StaffPage, BodiesThatAreNotWhatThePageSendsChangeNothing) {
+  for (const char* body : {"", "[]", "null", "{", "{\"name\": 5}", "{\"name\": {}}", "\xff\xfe",
+                           R"({"name": "x y", "role": "desk", "passphrase": "123456789012"})",
+                           R"({"name": "maria", "role": "king", "passphrase": "123456789012"})",
+                           R"({"name": "maria", "role": "desk", "passphrase": "short"})",
+                           R"({"name": "maria", "role": "desk"})"})
+    EXPECT_EQ(post("/api/people", body).status, 409) << body;
+  EXPECT_EQ(get("/api/people").body, "[]");
 }
 
 TEST_F(StaffPage, AFolderWithoutAnExhibitIsRefused) {

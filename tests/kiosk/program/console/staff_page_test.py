@@ -40,7 +40,8 @@ class StaffPage(unittest.TestCase):
             for name in ("postcard.jpg", "small.jpg"):  # its bytes say what it is
                 shutil.copy(ROOT / "kiosk/docs/pictures/sheet.png", self.kept / visit / name)
         (self.kept / JAR / "name.txt").write_text("quiet-blue-heron\n")
-        self.console = subprocess.Popen([ARGUMENTS.console, "--site", str(self.folder), "--listen", "127.0.0.1:0"],
+        self.site = [ARGUMENTS.console, "--site", str(self.folder), "--state", str(self.folder / "state")]
+        self.console = subprocess.Popen([*self.site, "--listen", "127.0.0.1:0"],
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         said = self.console.stdout.readline() + self.console.stdout.readline()
         self.way_in = re.search(r"http://\S+", said)[0]
@@ -107,7 +108,8 @@ class StaffPage(unittest.TestCase):
             page.wait("!!document.querySelector('#lines li')")
         with self.page() as page:
             page.go(self.way_in)
-            self.assertIn("prints another", self.text(page, "main"))
+            page.wait("document.getElementById('other').open", "how to come in")
+            self.assertIn("open the address that it prints", self.text(page, "main"))
 
     def test_the_desk_finds_prints_gives_a_pass_and_deletes(self):
         with self.exhibit.open("a") as file:
@@ -177,6 +179,64 @@ class StaffPage(unittest.TestCase):
             self.console.terminate()
             page.wait("!document.getElementById('lost').hidden", "the program is gone")
             self.assertIn("Start onggi-console again", self.text(page, "#lost"))
+
+    def test_the_first_editor_comes_by_a_code_and_gives_the_desk_a_name(self):
+        def write(page, **values):
+            for name, value in values.items():
+                page.value(f"document.getElementById({name.replace('_', '-')!r}).value = {value!r}")
+
+        def add(page, name, role):
+            write(page, person_name=name, person_role=role, person_passphrase=f"the passphrase of {name}")
+            page.tap("#person button")
+            page.wait(f"document.querySelector('#people-list').innerText.includes({name!r})", name)
+
+        def enter(page, name, passphrase):
+            write(page, name=name, passphrase=passphrase)
+            page.tap("#enter button")
+
+        with self.page() as page:
+            page.go(self.way_in)
+            page.wait("!!document.querySelector('#lines li')")
+            page.value("location.hash = '#people'")
+            page.wait("document.querySelector('#people-words').innerText.includes('Nobody has a name yet')")
+            self.assertEqual(page.value("document.getElementById('person-role').value"), "editor")
+            write(page, person_name="joon", person_passphrase="short")
+            page.tap("#person button")
+            page.wait("document.querySelector('#people-words').innerText.includes('too short')")
+            add(page, "joon", "editor")
+            add(page, "maria", "desk")
+            page.value("document.getElementById('changes').open = true")
+            page.wait("document.querySelector('#changes-list').innerText.includes('maria (desk)')")
+            self.assertEqual(page.value(browsers.LAYOUT)["found"], [])
+        with self.page("phone") as page:
+            page.go(self.at)
+            page.wait("!document.getElementById('enter').hidden && !document.getElementById('other').open", "to sign in")
+            self.assertEqual(page.value(browsers.LAYOUT)["found"], [])
+            enter(page, "maria", "the passphrase of joon")
+            page.wait("document.getElementById('said').innerText.includes('do not belong together')")
+            time.sleep(1.1)
+            enter(page, "Maria", "the passphrase of maria")
+            page.wait("!!document.querySelector('#lines li')", "maria is in")
+            self.assertEqual(self.text(page, "#who"), "maria")
+            self.assertTrue(page.value("document.querySelector(\"nav a[href='#people']\").hidden"))
+            page.tap("#own")
+            write(page, passphrase_old="the passphrase of maria", passphrase_new="my own passphrase")
+            page.tap("#passphrase-form button")
+            page.wait("!document.getElementById('passphrase').open", "it is changed")
+            page.tap("#leave")
+            page.wait("!!document.getElementById('enter')", "she is out")
+            page.wait("!document.getElementById('enter').hidden")
+            enter(page, "maria", "my own passphrase")
+            page.wait("!!document.querySelector('#lines li')", "maria is in again")
+        code = re.search(r"/\?code=\w+", subprocess.run([*self.site, "--code"], capture_output=True, text=True).stdout)[0]
+        with self.page() as page:
+            page.go(self.at + code)
+            page.wait("!!document.querySelector('#lines li')", "in by another code")
+            page.value("location.hash = '#people'")
+            page.wait("document.querySelectorAll('#people-list li').length === 2")
+            page.tap("#people-list li:nth-child(2) .danger")
+            page.tap("#people-list li:nth-child(2) .danger")
+            page.wait("document.querySelectorAll('#people-list li').length === 1", "maria is removed")
 
     def test_by_keys_alone(self):
         with self.page() as page:

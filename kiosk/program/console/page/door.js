@@ -1,0 +1,26 @@
+// Signs in. Where nobody has a name yet, the other way in is open.
+"use strict";
+const $ = (id) => document.getElementById(id);
+
+fetch("/api/door").then((answer) => answer.json()).then(({ names }) => {
+  $("enter").hidden = !names;
+  $("other").open = !names;
+});
+
+$("enter").addEventListener("submit", async (event) => {
+  event.preventDefault();
+  const body = JSON.stringify({ name: $("name").value.trim().toLowerCase(), passphrase: $("passphrase").value });
+  $("said").textContent = "";
+  let answer, said;
+  try {
+    answer = await fetch("/api/enter", { method: "POST", headers: { "Content-Type": "application/json" }, body });
+    said = await answer.json();
+  } catch {
+    $("said").textContent = "The program behind this page does not answer.";
+    return;
+  }
+  if (answer.ok) return location.replace("/");
+  $("said").textContent = said.what + " " + said.remedy;
+  $("passphrase").value = "";
+  $("passphrase").focus();
+});
