@@ -2,6 +2,7 @@
 
 #include <sys/random.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <array>
 #include <span>
@@ -69,6 +70,10 @@ Result<Pass> Passes::give(const std::string& visit, std::int64_t now, double hou
     pass.counted = std::move(*made);
   }
   if (auto made = files::make_folder(folder()); !made) return tl::unexpected(made.error());
+  // Root at the desk may be the first: the kiosk's user writes here too.
+  struct stat of {};
+  if (::geteuid() == 0 && ::stat(keepsakes_.c_str(), &of) == 0)
+    static_cast<void>(::lchown(folder().c_str(), of.st_uid, of.st_gid));
   const std::string text = text_of(pass);
   if (auto written = files::write_durably(folder() / pass.token, std::as_bytes(std::span(text)));
       !written)

@@ -126,7 +126,8 @@ Result<Statistics> read_statistics(const std::string& file, const std::string& f
   if (stat(file.c_str(), &read) == 0) files::note_read(read);
   const CopyFolder folder;
   if (folder.path().empty())
-    return problem(fs::temp_directory_path().string(), "No copy of the store can be made there.",
+    return problem(fs::temp_directory_path(error).string(),
+                   "No copy of the store can be made in the folder for temporary files.",
                    "Make room, or set TMPDIR.", 1);
   const fs::path copy = folder.path() / "copy";
   constexpr int kTries = 20;

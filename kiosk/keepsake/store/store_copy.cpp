@@ -1,10 +1,14 @@
 #include "kiosk/keepsake/store/store_copy.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <string>
+
+#include "kiosk/ground/files/descriptor.h"
 
 namespace fs = std::filesystem;
 
@@ -26,7 +30,10 @@ Looks looks_of(const fs::path& file) {
   std::error_code size, time;
   looks.size = fs::file_size(file, size);
   looks.time = fs::last_write_time(file, time);
-  std::ifstream(file, std::ios::binary).read(looks.header.data(), looks.header.size());
+  // A pipe would make us wait for ever.
+  const files::Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (opened.open())
+    static_cast<void>(::pread(opened.get(), looks.header.data(), looks.header.size(), 0) > 0);
   return looks;
 }
 
@@ -47,6 +54,7 @@ bool copy_still(const fs::path& file, const fs::path& to, const std::function<vo
   const fs::path log = file.string() + "-wal", copy_log = to.string() + "-wal";
   const Looks before = looks_of(file), log_before = looks_of(log);
   std::error_code error, ignored;
+  if (fs::exists(log, ignored) && !fs::is_regular_file(log, ignored)) return false;
   fs::remove(copy_log, ignored);
   fs::copy_file(file, to, fs::copy_options::overwrite_existing, error);
   if (error) return false;

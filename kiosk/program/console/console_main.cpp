@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
@@ -202,15 +205,26 @@ std::vector<std::string> hosts_of(const std::string& address, std::uint16_t port
   const bool v6 = address.find(':') != std::string::npos;
   std::vector<std::string> hosts{v6 ? '[' + address + ']' : address};
   if (address == "127.0.0.1" || address == "::1") hosts.emplace_back("localhost");
-  for (std::string& host : hosts) host += ':' + std::to_string(port);
+  // A browser leaves the usual port out.
+  if (port != 80)
+    for (std::string& host : hosts) host += ':' + std::to_string(port);
   return hosts;
+}
+
+/// Problem, exit 1, where the keepsakes are there and this user may not read them: the page would
+/// say that the kiosk is off.
+onggi::Result<void> may_read(const std::filesystem::path& keepsakes) {
+  if (::access(keepsakes.c_str(), R_OK | X_OK) == 0 || errno != EACCES) return {};
+  return onggi::problem(keepsakes.string(), "This user may not read the keepsakes.",
+                        "Type sudo before the command.", 1);
 }
 
 /// The staff's page. Until there are names and passwords, only this machine reaches it.
 onggi::Result<int> serve_staff(const Arguments& a) {
   namespace console = onggi::console;
-  const auto at = onggi::web::listening(a.listen.empty() ? "127.0.0.1:8090" : a.listen);
+  auto at = onggi::web::listening(a.listen.empty() ? "127.0.0.1:8090" : a.listen);
   if (!at) return tl::unexpected(at.error());
+  if (at->address == "localhost") at->address = "127.0.0.1";
   if (at->address != "127.0.0.1" && at->address != "::1")
     return onggi::problem("--listen " + a.listen,
                           "The staff's page is for this machine alone: whoever reads along on a "
@@ -221,6 +235,8 @@ onggi::Result<int> serve_staff(const Arguments& a) {
   if (!site) return tl::unexpected(site.error());
   onggi::files::note_reads(false);  // it reads for days, and writes no output over what it read
   const std::filesystem::path file = site->file(), state = state_for(a, file);
+  if (auto readable = may_read(site->exhibit().keepsake.folder); !readable)
+    return tl::unexpected(readable.error());
   auto people = console::People::open(state);
   if (!people) return tl::unexpected(people.error());
   const auto clock = [] { return static_cast<std::int64_t>(std::time(nullptr)); };

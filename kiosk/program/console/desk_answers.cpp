@@ -1,8 +1,14 @@
 #include "kiosk/program/console/desk_answers.h"
 
+#include <sys/stat.h>
+
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <ctime>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "kiosk/ground/files/json.h"
 #include "kiosk/ground/files/local_time.h"
@@ -21,6 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 using files::Json;
 
+constexpr const char* kBySudo =
+    "Start onggi-console with sudo, or as the user who owns the keepsakes.";
 constexpr std::size_t kMostListed = 200;  // keepsakes
 
 struct Picture {
@@ -34,12 +42,21 @@ constexpr Picture kPictures[] = {
 /// What is printed: the first of these that is there. The first two have the visitor's code.
 constexpr std::array kPrinted{souvenir::kPrint, souvenir::kPostcardPng, souvenir::kPostcard};
 
-/// A visit's folder, as save() names them, that is there.
+/// A visit that is listed has one of these.
+constexpr std::array kOurs{souvenir::kPostcard, souvenir::kPotGlb,      souvenir::kReplay,
+                           souvenir::kSmall,    souvenir::kPostcardPng, souvenir::kPrint};
+
+/// A visit's folder, as save() names them, that is there. One that holds nothing of ours is a
+/// museum's own.
 bool is_visit(const fs::path& keepsakes, const std::string& name) {
   std::error_code error;
   return souvenir::is_visit_name(name) && souvenir::visit_name(name) == name &&
          !name.ends_with(souvenir::kPartial) &&
-         fs::symlink_status(keepsakes / name, error).type() == fs::file_type::directory;
+         fs::symlink_status(keepsakes / name, error).type() == fs::file_type::directory &&
+         std::ranges::any_of(kOurs, [&](const char* file) {
+           return fs::symlink_status(keepsakes / name / file, error).type() ==
+                  fs::file_type::regular;
+         });
 }
 
 /// What OpenPasses wants to know of a visit to open its files.
@@ -59,40 +76,74 @@ Json json_of(const view::SquareCode& code) {
   return rows;
 }
 
+/// By name, by how its day or time begins, or by a word of its vessel.
+std::vector<souvenir::NamedVisit> called(const desk::Kept& kept, const std::string& typed) {
+  std::vector<souvenir::NamedVisit> found = kept.called(typed);
+  if (!found.empty()) return found;
+  std::string vessel = typed;
+  std::transform(vessel.begin(), vessel.end(), vessel.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const souvenir::NamedVisit& one : kept.visits)
+    if (desk::time_of(one.visit).starts_with(typed) ||
+        desk::in_words(desk::vessel_of(one.visit)).find(vessel) != std::string::npos)
+      found.push_back(one);
+  return found;
+}
+
 }  // namespace
 
 bool DeskAnswers::has(const std::string& visit) {
   return is_visit(site_.exhibit().keepsake.folder, visit);
 }
 
+/// Ten thousand visits take a second to list, and all who ask wait for it.
+Result<void> DeskAnswers::list(const fs::path& folder) {
+  struct stat info {};
+  std::string stamp = folder.string() + '\n';
+  if (::stat(folder.c_str(), &info) == 0)
+    stamp += std::to_string(info.st_ino) + ' ' + std::to_string(info.st_mtim.tv_sec) + ' ' +
+             std::to_string(info.st_mtim.tv_nsec);
+  if (kept_ && stamp == listed_) return {};
+  std::vector<Problem> remarks;
+  auto kept = desk::open_kept({site_.file(), folder, ""}, remarks);
+  if (!kept) return tl::unexpected(kept.error());
+  kept_ = std::move(*kept);
+  // What comes within a clock's step of the listing may not change the folder's time.
+  constexpr std::time_t kStep = 2;  // s
+  listed_ = std::time(nullptr) - info.st_mtim.tv_sec > kStep ? stamp : "";
+  return {};
+}
+
 web::Answer DeskAnswers::keepsakes(const web::Ask& ask) {
   const std::string day = query(ask, "day"), name = query(ask, "name");
   if (!desk::is_day(day)) return refused(409, "This is not a day.", "Write it as 2026-05-31.");
-  std::vector<Problem> remarks;
   std::error_code error;
   const fs::path& folder = site_.exhibit().keepsake.folder;
-  Json list = Json::list();
+  Json all = Json::list();
   // Before the first keepsake there is no folder, and that is no trouble.
-  if (!fs::exists(folder, error) && !error) return json(ask, list.text(-1));
-  const auto kept = desk::open_kept({site_.file(), folder, ""}, remarks);
-  if (!kept) return refused(409, kept.error());
+  if (!fs::exists(folder, error) && !error) return json(ask, all.text(-1));
+  if (const auto good = list(folder); !good)
+    return refused(409, {good.error().where, good.error().what, kBySudo});
+  const desk::Kept* kept = &*kept_;
   const souvenir::OpenPasses opened(folder);
   std::size_t listed = 0;
-  for (const souvenir::NamedVisit& one : name.empty() ? kept->visits : kept->called(name)) {
+  for (const souvenir::NamedVisit& one : name.empty() ? kept->visits : called(*kept, name)) {
     if (!day.empty() && desk::day_of(one.visit) != day) continue;
+    // Others could not be opened by their name.
+    if (!is_visit(folder, one.visit)) continue;
     if (++listed > kMostListed) break;
     const auto has = [&](const char* file) { return opened.has_file(pass_of(one.visit), file); };
-    list.push_back(Json::object({{"visit", one.visit},
-                                 {"day", desk::day_of(one.visit)},
-                                 {"time", desk::time_of(one.visit).substr(0, 5)},
-                                 {"name", one.spoken.empty() ? "" : kept->said(one)},
-                                 {"vessel", desk::in_words(desk::vessel_of(one.visit))},
-                                 {"small", has(souvenir::kSmall)},
-                                 {"turning", has(souvenir::kTurning)},
-                                 {"sheet", has(souvenir::kSheet)},
-                                 {"rollout", has(souvenir::kRollout)}}));
+    all.push_back(Json::object({{"visit", one.visit},
+                                {"day", desk::day_of(one.visit)},
+                                {"time", desk::time_of(one.visit).substr(0, 5)},
+                                {"name", one.spoken.empty() ? "" : kept->said(one)},
+                                {"vessel", desk::in_words(desk::vessel_of(one.visit))},
+                                {"small", has(souvenir::kSmall)},
+                                {"turning", has(souvenir::kTurning)},
+                                {"sheet", has(souvenir::kSheet)},
+                                {"rollout", has(souvenir::kRollout)}}));
   }
-  return json(ask, list.text(-1));
+  return json(ask, all.text(-1));
 }
 
 web::Answer DeskAnswers::picture(const web::Ask& ask, const std::string& visit,
@@ -120,17 +171,22 @@ web::Answer DeskAnswers::print_page(const std::string& visit) {
         return {.status = 200,
                 .body = std::string(k_print_html) + "<img id=\"card\" alt=\"The postcard\" src=\"" +
                         "/keepsake/" + visit + '/' + name + "\"></body></html>"};
-  return refused(404, "There is no postcard here.", "Look at the list again.");
+  return page_of(404, "There is no postcard here. It may have been deleted.");
 }
 
 web::Answer DeskAnswers::give_pass(const std::string& visit, std::int64_t now) {
   const settings::Exhibit& exhibit = site_.exhibit();
   if (exhibit.phone.address.empty())
     return refused(409, "Visitors' phones get no pages here.",
-                   "Set address in [phone] of exhibit.toml: kiosk/docs/phone.md says how.");
+                   "An editor sets address in [phone] of exhibit.toml.");
+  if (!souvenir::Passes(exhibit.keepsake.folder).served(now))
+    return refused(409, "Visitors' phones get no answer: the program for phones does not run.",
+                   "Start it: sudo systemctl start onggi-phone. Or print the postcard.");
   const auto pass =
       souvenir::Passes::give_at_the_desk(exhibit.keepsake.folder / visit, now, exhibit.phone.hours);
-  if (!pass) return refused(pass.error());
+  if (!pass)
+    return refused(409,
+                   {pass.error().where, "No page could be made. " + pass.error().what, kBySudo});
   const std::string address = exhibit.phone.address + "/k/" + pass->token;
   return json(Json::object(
       {{"address", address},
@@ -140,9 +196,16 @@ web::Answer DeskAnswers::give_pass(const std::string& visit, std::int64_t now) {
 
 web::Answer DeskAnswers::remove(const std::string& visit) {
   const fs::path& folder = site_.exhibit().keepsake.folder;
-  if (const auto gone = souvenir::remove_visit(folder / visit); !gone)
-    return refused(500, gone.error());
-  souvenir::Passes(folder).take_back_all(visit);
+  const auto gone = souvenir::remove_visit(folder / visit);
+  std::error_code error;
+  // Once its folder has another name nobody can open it, whatever is left.
+  if (!fs::exists(folder / visit, error)) souvenir::Passes(folder).take_back_all(visit);
+  if (!gone && !fs::exists(folder / visit, error))
+    return refused(409, {gone.error().where,
+                         "Nobody can open it any more, but some of its files are still in " +
+                             visit + souvenir::kPartial + '.',
+                         "The kiosk tries again each hour. If they stay, remove them with sudo."});
+  if (!gone) return refused(409, {gone.error().where, "It could not be deleted.", kBySudo});
   return json(Json::object({{"deleted", visit}}));
 }
 

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "engine/base/result.h"
 #include "kiosk/ground/web/message.h"
 #include "kiosk/program/console/site.h"
+#include "kiosk/program/desk/kept.h"
 
 namespace onggi::console {
 
@@ -34,7 +37,11 @@ class DeskAnswers {
   web::Answer remove(const std::string& visit);
 
  private:
+  Result<void> list(const std::filesystem::path& folder);
+
   Site& site_;
+  std::optional<desk::Kept> kept_;  ///< As listed when the folder had the stamp listed_.
+  std::string listed_;
   std::function<void(const Problem&)> tell_;
 };
 

@@ -107,7 +107,7 @@ std::string Door::admit(const std::string& who, Role role, std::int64_t now) {
   return set_cookie(whole, kLongest);
 }
 
-const Session* Door::session_of(const web::Ask& ask, std::int64_t now) {
+const Session* Door::session_of(const web::Ask& ask, std::int64_t now, bool by_itself) {
   std::erase_if(sessions_, [now](const auto& one) {
     // Nor does a clock that was set back make it last longer.
     return now - one.second.from >= kLongest || now - one.second.seen >= kIdle ||
@@ -115,7 +115,10 @@ const Session* Door::session_of(const web::Ask& ask, std::int64_t now) {
   });
   const std::string token = cookie_of(ask.cookie, cookie_);
   for (auto& [known, session] : sessions_)
-    if (same_secret(known, token)) return session.seen = now, &session;
+    if (same_secret(known, token)) {
+      if (!by_itself) session.seen = now;
+      return &session;
+    }
   return nullptr;
 }
 

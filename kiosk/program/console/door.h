@@ -45,8 +45,8 @@ class Door {
   std::string enter(const std::string& code, std::int64_t now);
   /// Begins a session of `who`, whose passphrase was right: its Set-Cookie; empty: no randomness.
   std::string admit(const std::string& who, Role role, std::int64_t now);
-  /// The session of `ask`, which then goes on; null: none.
-  const Session* session_of(const web::Ask& ask, std::int64_t now);
+  /// The session of `ask`, which then goes on, unless the page asked `by_itself`; null: none.
+  const Session* session_of(const web::Ask& ask, std::int64_t now, bool by_itself = false);
   /// Ends the session of `ask`. Returns the Set-Cookie that forgets it.
   std::string leave(const web::Ask& ask);
   /// Ends every session of `who`.

@@ -10,7 +10,8 @@
 namespace onggi::console {
 
 /// What visitors did, as `onggi stats` counts it, small cells left out. Read anew at most every
-/// kEvery seconds. One thread; blocks while the store is copied.
+/// kEvery seconds, and only if it has changed; a trouble too. One thread; blocks while the store is
+/// copied.
 class Figures {
  public:
   static constexpr std::int64_t kEvery = 10;
@@ -24,7 +25,7 @@ class Figures {
  private:
   std::string key_;
   std::int64_t read_at_ = 0;
-  store::AnonymisedStatistics told_;
+  Result<store::AnonymisedStatistics> told_{};
 };
 
 }  // namespace onggi::console

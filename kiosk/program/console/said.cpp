@@ -57,6 +57,16 @@ web::Answer refused(int status, const std::string& what, const std::string& reme
 
 web::Answer refused(const Problem& p) { return refused(p.exit_code == 1 ? 500 : 409, p); }
 
+web::Answer page_of(int status, const std::string& says) {
+  return {.status = status,
+          .body =
+              "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
+              "name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>The "
+              "staff’s page</title><link rel=\"stylesheet\" href=\"/staff.css\"></head><body>"
+              "<main class=\"alone\"><p>" +
+              says + "</p><p><a href=\"/\">To the staff’s page</a></p></main></body></html>"};
+}
+
 std::string Words::operator[](const char* key) const {
   if (!object_.is_object()) return {};
   const auto found = object_.find(key);

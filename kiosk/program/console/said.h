@@ -23,6 +23,10 @@ web::Answer refused(int status, const std::string& what, const std::string& reme
 /// 500 for the machine's fault, else 409.
 web::Answer refused(const Problem& p);
 
+/// A page with one sentence, for an address that somebody opened: JSON would be a riddle. `says` is
+/// plain words of ours.
+web::Answer page_of(int status, const std::string& says);
+
 /// The texts of a JSON object. A body that is none, and a value that is no text, are empty.
 class Words {
  public:

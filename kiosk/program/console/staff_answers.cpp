@@ -64,7 +64,9 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
     if (!cookie.empty())
       return {.status = 303, .type = "", .fields = {{"Location", "/"}, {"Set-Cookie", cookie}}};
   }
-  const Session* session = door_->session_of(ask, parts_.clock());
+  // What the page asks by itself does not say that somebody is here.
+  const bool by_itself = reads && web::asked_for(ask.target, "alone") == "1";
+  const Session* session = door_->session_of(ask, parts_.clock(), by_itself);
   if (session == nullptr) return outside(ask);
   // What is done may end it.
   const Session copy = *session;
@@ -73,13 +75,14 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
 
 web::Answer StaffAnswers::outside(const web::Ask& ask) {
   if (ask.target == "/api/enter" && ask.method == "POST") return enter(ask);
-  if (ask.method != "POST" && (ask.target == "/" || ask.target.starts_with("/?")))
-    return {.status = 401, .body = k_door_html};
   if (ask.method != "POST" && ask.target == "/api/door") {
     const auto people = parts_.people.all();
     return json(Json::object({{"names", people && !people->empty()}}));
   }
-  return refused(401, "You are not signed in, or not any more.", "Load this page again.");
+  const bool page = !ask.target.starts_with("/api/") && !ask.target.starts_with("/keepsake/") &&
+                    !ask.target.starts_with("/figures.svg");
+  if (ask.method != "POST" && page) return {.status = 401, .body = k_door_html};
+  return refused(401, "You are not signed in, or not any more.", "Sign in again.");
 }
 
 web::Answer StaffAnswers::enter(const web::Ask& ask) {
@@ -120,7 +123,9 @@ web::Answer StaffAnswers::get(const web::Ask& ask, const Session& session) {
     if (session.role != Role::editor) return not_an_editor();
     return path == "/api/people" ? people() : changes();
   }
-  return refused(404, "There is no such page.", "Go back to the first one.");
+  if (path.starts_with("/api/"))
+    return refused(404, "There is no such thing.", "Load this page again.");
+  return page_of(404, "There is no such page.");
 }
 
 web::Answer StaffAnswers::post(const web::Ask& ask, const Session& session) {
@@ -227,6 +232,7 @@ web::Answer StaffAnswers::state(const web::Ask& ask, const Session& session) {
     known.free_bytes = space.available;
   if (!exhibit.phone.address.empty())
     known.phones_answered = souvenir::Passes(folder).served(known.now);
+  known.file_problems = parts_.check.problems();
   Json out = json_of(report_of(known));
   out["who"] = session.who;
   out["role"] = name_of(session.role);
@@ -234,7 +240,7 @@ web::Answer StaffAnswers::state(const web::Ask& ask, const Session& session) {
   out["credit"] = exhibit.credit;
   out["exhibit"] = parts_.site.file().string();
   out["keepsakes"] = folder.string();
-  out["phones"] = !exhibit.phone.address.empty();
+  out["phones"] = known.phones_answered.value_or(false);
   out["today"] = files::local_time(static_cast<std::time_t>(known.now), files::kDay);
   return json(ask, out.text(-1));
 }
@@ -244,10 +250,13 @@ web::Answer StaffAnswers::figures(const web::Ask& ask, bool picture) {
   // The first visit makes the store.
   if (!picture && !fs::exists(files::store_file(parts_.site.exhibit().keepsake.folder), error) &&
       !error)
-    return json(ask, R"({"visits": 0, "words": "No visit has been counted here yet."})");
+    return json(ask,
+                R"({"visits": 0, "words": "No visit has been counted here yet.", "tables": {}})");
   const auto told = figures_.of(parts_.site.exhibit().keepsake.folder, query(ask, "from"),
                                 query(ask, "to"), parts_.clock());
-  if (!told) return refused(picture ? 404 : 409, told.error());
+  if (!told)
+    return refused(picture ? 404 : 409, {told.error().where, told.error().what,
+                                         "If it is there, start onggi-console with sudo."});
   if (!picture) {
     Json out = store::json_of(**told);
     out["words"] = store::words_of(**told);

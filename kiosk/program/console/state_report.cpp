@@ -56,11 +56,11 @@ std::string lasted(double seconds) {
   return count_of(std::max<std::uint64_t>(whole / 60, 1), "minute", "minutes");
 }
 
-const char* const kStart =
-    "Start it: sudo systemctl start onggi. On a machine without that service: onggi run.";
-
 Line silent_kiosk(const Known& k) {
-  Line line{"kiosk", "Kiosk", Mood::wrong, "", kStart};
+  Line line{"kiosk", "Kiosk", Mood::wrong, "",
+            "Start it: sudo systemctl start onggi. On a machine without that service: onggi run "
+            "--config " +
+                k.exhibit};
   if (!k.kiosk.state) {
     line.says = "The kiosk does not run, and has left no word here.";
     return line;
@@ -89,7 +89,12 @@ Line running_kiosk(const Known& k) {
   Line line{"kiosk", "Kiosk", Mood::good, doing(k, s), ""};
   line.says += " Open since " + when(s.said - std::llround(s.health.running_s), k.now) + ", for " +
                lasted(s.health.running_s) + ". Onggi " + s.health.version + ".";
-  if (k.now - s.said > kSilent) {
+  if (s.said - k.now > kSilent) {
+    line.mood = Mood::look;
+    line.says = "The kiosk runs, but its last word is from " + when(s.said, k.now) +
+                ": the machine's clock was set back.";
+    line.remedy = "Set the clock right. Then: sudo systemctl restart onggi.";
+  } else if (k.now - s.said > kSilent) {
     line.mood = Mood::wrong;
     line.says = "The kiosk runs, but has said nothing since " + when(s.said, k.now) +
                 ". Its picture may stand still.";
@@ -112,7 +117,7 @@ Line picture(const watch::KioskState& s) {
   Line line{"picture", "Picture", Mood::good, count_of(rate, "picture", "pictures") + " a second.",
             ""};
   // In the dark, and while it begins, few are drawn.
-  if (s.open && !s.health.dark && s.frames_a_second < kSmooth) {
+  if (s.open && !s.health.dark && static_cast<double>(rate) < kSmooth) {
     line.mood = Mood::look;
     line.says += " It looks smooth from 25.";
     line.remedy = "End other programs on this machine, or choose a smaller window or scene.";
@@ -187,6 +192,14 @@ Line trouble(const files::Trouble& t, std::int64_t now) {
   return line;
 }
 
+Line files_line(std::size_t problems) {
+  if (problems == 0) return {"files", "Files", Mood::good, "onggi check finds nothing wrong.", ""};
+  return {
+      "files", "Files", Mood::wrong,
+      "onggi check finds " + count_of(problems, "problem", "problems") + " in the exhibit's files.",
+      "See Files: each is there with its line and what to do."};
+}
+
 const char* name_of(Mood mood) {
   constexpr std::array<const char*, 3> kNames{"good", "look", "wrong"};
   return kNames[static_cast<std::size_t>(mood)];
@@ -207,6 +220,7 @@ std::vector<Line> report_of(const Known& k) {
   lines.push_back(disk(k));
   if (runs) lines.push_back(devices(*k.kiosk.state));
   if (k.phones_answered) lines.push_back(phones(*k.phones_answered));
+  if (k.file_problems) lines.push_back(files_line(*k.file_problems));
   if (k.kiosk.state && k.kiosk.state->trouble)
     lines.push_back(trouble(*k.kiosk.state->trouble, k.now));
   return lines;

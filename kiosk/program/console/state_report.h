@@ -13,11 +13,12 @@ namespace onggi::console {
 /// What is known of a site's kiosk at one moment.
 struct Known {
   watch::SeenKiosk kiosk;
-  std::int64_t now = 0;                     ///< s since 1970.
-  std::string exhibit;                      ///< The site's exhibit.toml.
-  std::string vessel;                       ///< Name of the vessel on the wheel, for people.
-  std::optional<std::uint64_t> free_bytes;  ///< Of the keepsakes' disk; absent: not readable.
-  std::optional<bool> phones_answered;      ///< Absent: visitors' phones get no pages here.
+  std::int64_t now = 0;                        ///< s since 1970.
+  std::string exhibit;                         ///< The site's exhibit.toml.
+  std::string vessel;                          ///< Name of the vessel on the wheel, for people.
+  std::optional<std::uint64_t> free_bytes;     ///< Of the keepsakes' disk; absent: not readable.
+  std::optional<std::size_t> file_problems{};  ///< That onggi check found; absent: not known.
+  std::optional<bool> phones_answered;         ///< Absent: visitors' phones get no pages here.
 };
 
 /// How a line of the report is: as it should be, worth a look, or wrong.
@@ -26,7 +27,7 @@ enum class Mood : std::uint8_t { good, look, wrong };
 /// One thing that staff want to know, in words.
 struct Line {
   std::string id;    ///< "kiosk", "picture", "wheel", "keepsakes", "disk", "devices", "phones",
-                     ///< "trouble".
+                     ///< "files", "trouble".
   std::string name;  ///< "Keepsakes"
   Mood mood = Mood::good;
   std::string says;    ///< A sentence or two.

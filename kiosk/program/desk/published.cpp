@@ -10,7 +10,8 @@ namespace onggi::desk {
 bool is_day(const std::string& day) {
   if (day.empty()) return true;
   int y = 0, m = 0, d = 0, end = 0;
-  if (day.size() != 10 || std::sscanf(day.c_str(), "%4d-%2d-%2d%n", &y, &m, &d, &end) != 3 ||
+  if (day.size() != 10 || day.find_first_not_of("0123456789-") != std::string::npos ||
+      day.front() == '-' || std::sscanf(day.c_str(), "%4d-%2d-%2d%n", &y, &m, &d, &end) != 3 ||
       end != 10)
     return false;
   return std::chrono::year_month_day{std::chrono::year(y),

@@ -59,6 +59,11 @@ void read_number(std::string_view text, Value& value) {
     value = text == "true";
   else
     std::from_chars(text.data(), text.data() + text.size(), value);
+  // Whatever somebody wrote there, it can be counted with: 1e12 s are 30,000 years.
+  if constexpr (std::is_floating_point_v<Value>)
+    value = value >= 0.0 && value <= 1e12 ? value : 0.0;
+  else if constexpr (std::is_same_v<Value, std::int64_t>)
+    value = std::clamp<std::int64_t>(value, 0, 1'000'000'000'000);
 }
 
 }  // namespace

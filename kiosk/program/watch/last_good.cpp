@@ -1,6 +1,7 @@
 #include "kiosk/program/watch/last_good.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,6 +24,7 @@ constexpr const char* kName = "last_good";
 constexpr const char* kList = "files.txt";  // written last: a copy without it is incomplete
 constexpr const char* kKeepsakes = "keepsakes.txt";
 constexpr std::size_t kMostOfAList = 16u << 20;
+constexpr std::size_t kMostFiles = 50'000;  // of an exhibit
 
 struct Listed {
   fs::path file;  // relative to the site
@@ -35,12 +37,28 @@ Result<std::vector<Listed>> list(const fs::path& site) {
   std::error_code error;
   for (const char* half : {"config", "content"}) {
     const auto follow = fs::directory_options::follow_directory_symlink;
+    std::vector<struct stat> above(1);  // the folders that hold this one: a link may lead back
+    if (::stat((site / half).c_str(), &above.front()) != 0) above.front() = {};
     for (fs::recursive_directory_iterator it(site / half, follow, error), end; !error && it != end;
-         it.increment(error))
+         it.increment(error)) {
+      if (struct stat info{}; ::stat(it->path().c_str(), &info) == 0 && S_ISDIR(info.st_mode)) {
+        above.resize(static_cast<std::size_t>(it.depth()) + 1);
+        if (std::ranges::any_of(above, [&info](const struct stat& one) {
+              return one.st_dev == info.st_dev && one.st_ino == info.st_ino;
+            }))
+          it.disable_recursion_pending();
+        above.push_back(info);
+        continue;
+      }
+      if (files.size() > kMostFiles)
+        return problem((site / half).string(),
+                       "There are more than " + std::to_string(kMostFiles) + " files here.",
+                       "Take away links that lead out of the exhibit.", 1);
       if (const auto stamp = files::stamp_of(it->path())) {
         const fs::path file = it->path().lexically_relative(site);
         files.push_back({file, file.string() + ' ' + *stamp + '\n'});
       }
+    }
     if (error) return tl::unexpected(files::disk_problem(site / half, "read", error.value()));
   }
   std::sort(files.begin(), files.end(),

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -67,13 +68,24 @@ void StateBoard::attend() {
 
 bool StateBoard::hold_file() {
   const std::filesystem::path path = keepsakes_ / kStateFile;
-  // Somebody may have emptied the folder.
-  if (file_.open() && ::access(path.c_str(), F_OK) == 0) return true;
-  files::Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+  // Somebody may have emptied the folder, or put another file there.
+  struct stat named {
+  }, own{};
+  if (file_.open() && ::lstat(path.c_str(), &named) == 0 && ::fstat(file_.get(), &own) == 0 &&
+      named.st_ino == own.st_ino && named.st_dev == own.st_dev)
+    return true;
+  files::Descriptor file(
+      ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644));
   if (!file.open() || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return false;
+  struct stat info {};
+  if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode)) return false;
+  written_ = static_cast<std::size_t>(info.st_size);
+  // None of ours is so long.
+  if (written_ > kMostOfAState) {
+    if (::ftruncate(file.get(), 0) != 0) return false;
+    written_ = 0;
+  }
   file_ = std::move(file);
-  const off_t size = ::lseek(file_.get(), 0, SEEK_END);
-  written_ = size > 0 ? static_cast<std::size_t>(size) : 0;
   return true;
 }
 

@@ -23,7 +23,7 @@ async function ask(address, post) {
       { remedy: "Start onggi-console again, and open the address that it prints.", lost: true });
   }
   const said = await answer.json();
-  if (!answer.ok) throw Object.assign(new Error(said.what), { remedy: said.remedy, lost: answer.status === 401 });
+  if (!answer.ok) throw Object.assign(new Error(said.what), { remedy: said.remedy, lost: answer.status === 401, out: answer.status === 401 });
   return said;
 }
 
@@ -32,6 +32,8 @@ function tell(place, error) {
   if (error.lost) lose(error);
 }
 function lose(error) {
+  // What the last one saw is not for the next.
+  if (error.out) return location.replace("/");
   $("lost").hidden = false;
   $("lost").replaceChildren(made("strong", {}, error.message), " " + error.remedy);
 }
@@ -49,7 +51,7 @@ async function waiting(place, words, work) {
 // ---- Now
 
 const MOODS = { good: "Good", look: "Look", wrong: "Wrong" };
-let state = null, shownLines = "";
+let state = null, shownLines = "", looks = 0;
 
 function showLine({ name, mood, says, remedy }) {
   return made("li", { className: mood },
@@ -57,9 +59,14 @@ function showLine({ name, mood, says, remedy }) {
     made("div", {}, made("h3", {}, name), made("p", {}, says), ...(remedy ? [made("p", { className: "remedy" }, remedy)] : [])));
 }
 
+// A session ends half an hour after somebody last did something here: looking by itself does not count.
+let lastTouch = Date.now();
+for (const kind of ["pointerdown", "keydown", "scroll"]) addEventListener(kind, () => { lastTouch = Date.now(); }, { passive: true });
+const isHere = () => Date.now() - lastTouch < 60000;
+
 async function look() {
   try {
-    const said = await ask("/api/state");
+    const said = await ask("/api/state" + (isHere() ? "" : "?alone=1"));
     $("lost").hidden = true;
     const first = state === null;
     state = said;
@@ -70,7 +77,10 @@ async function look() {
     const lines = JSON.stringify(said.lines);
     if (lines !== shownLines) $("lines").replaceChildren(...said.lines.map(showLine));
     shownLines = lines;
-    $("seen").textContent = "Looked at " + new Date().toLocaleTimeString() + ". " + said.exhibit;
+    $("seen").textContent = "Looked at " + new Date().toTimeString().slice(0, 8) + ". " + said.exhibit;
+    const wrong = said.lines.find(({ id, mood }) => id === "files" && mood !== "good");
+    document.querySelector("nav a[href='#files']").textContent = wrong ? "Files ⚠" : "Files";
+    if (part() === "desk" && ++looks % 5 === 0 && !$("pot").open) showPots(true);
     $("who").textContent = said.who === "(code)" ? "" : said.who;
     $("own").hidden = said.who === "(code)";
     document.querySelector("nav a[href='#people']").hidden = said.role !== "editor";
@@ -84,30 +94,36 @@ document.addEventListener("visibilitychange", () => { if (!document.hidden) look
 
 // ---- Desk
 
-let asked = 0;
-async function showPots() {
-  const turn = ++asked, name = $("name").value.trim(), day = $("day").value;
-  const query = new URLSearchParams(name ? { name } : { day });
+let asked = 0, shownPots = "";
+/** `alone`: by itself, because something may have come. A name is looked for on all days, a time on that day. */
+async function showPots(alone) {
+  const turn = ++asked, name = $("name").value.trim(), day = /^[\d:]*$/.test(name) ? $("day").value : "";
+  const query = new URLSearchParams({ ...(name ? { name } : {}), ...(day ? { day } : {}), ...(alone ? { alone: 1 } : {}) });
   try {
-    const pots = await waiting($("found"), "Looking…", ask("/api/keepsakes?" + query));
+    const work = ask("/api/keepsakes?" + query);
+    const pots = await (alone ? work : waiting($("found"), "Looking…", work));
     if (turn !== asked) return;
-    const of = name ? ` called “${name}”` : day === state.today ? " today" : day ? " on " + day : "";
-    $("found").textContent = pots.length === 0 ? `Nothing was kept${of}.`
-      : `${pots.length} ${pots.length === 1 ? "keepsake" : "keepsakes"}${of}, the newest first.`;
-    $("pots").replaceChildren(...pots.map(showPot));
+    const now = JSON.stringify([pots, name, day]);
+    if (alone && now === shownPots) return;
+    shownPots = now;
+    const of = (name ? ` with “${name}”` : "") + (!day ? " on any day" : day === state.today ? " today" : " on " + day);
+    const count = pots.length === 200 ? "The newest 200 keepsakes" : pots.length === 1 ? "One keepsake" : `${pots.length} keepsakes`;
+    $("found").textContent = pots.length > 0 ? count + of + (pots.length > 1 ? ", the newest first." : ".")
+      : `Nothing was kept${of}.` + (name ? " Try one of its three words, the time as 14:15, or the vessel." : "");
+    $("pots").replaceChildren(...pots.map((pot) => showPot(pot, !day)));
   } catch (error) {
     if (turn === asked) tell($("found"), error);
   }
 }
 
-function showPot(pot) {
+function showPot(pot, withDay) {
   const picture = made("img", {
     src: `/keepsake/${pot.visit}/${pot.small ? "small" : "postcard"}.jpg`, alt: "", loading: "lazy", width: 200, height: 200,
   });
   picture.addEventListener("error", () => { picture.style.visibility = "hidden"; });
   const button = made("button", { className: "pot" }, picture,
-    made("span", { className: "name" }, pot.name || "(no name)"),
-    made("span", { className: "small" }, `${$("name").value.trim() ? pot.day + " " : ""}${pot.time}, ${pot.vessel}`));
+    made("span", { className: "name", dir: "auto" }, pot.name || "(no name)"),
+    made("span", { className: "small" }, `${withDay ? pot.day + " " : ""}${pot.time}, ${pot.vessel}`));
   button.addEventListener("click", () => openPot(pot));
   return made("li", {}, button);
 }
@@ -125,9 +141,11 @@ function openPot(pot) {
   $("pot-words").replaceChildren();
   $("pot-code").replaceChildren();
   $("pot-pass").disabled = !state.phones;
-  if (!state.phones) $("pot-words").textContent = "Phones get no pages here: [phone] in exhibit.toml has no address.";
+  if (!state.phones) $("pot-words").textContent = "No pages for phones just now: Now says why, or phones have none here.";
+  $("pot-pictures").hidden = false;
   $("pot-sure").hidden = true;
   $("pot").showModal();
+  $("pot").scrollTop = 0;
 }
 $("pot-close").addEventListener("click", () => $("pot").close());
 
@@ -151,6 +169,8 @@ $("pot-pass").addEventListener("click", async () => {
     const pass = await waiting($("pot-words"), "Making a page…", ask(`/api/keepsakes/${opened.visit}/pass`, {}));
     $("pot-words").textContent = `The visitor’s phone can open this until ${pass.until}:`;
     $("pot-code").replaceChildren(codeOf(pass.code), made("p", { className: "address" }, pass.address));
+    $("pot-pictures").hidden = true;
+    $("pot").scrollTop = 0;
   } catch (error) {
     tell($("pot-words"), error);
   }
@@ -169,7 +189,8 @@ $("pot-yes").addEventListener("click", async () => {
     await waiting($("pot-words"), "Deleting…", ask(`/api/keepsakes/${opened.visit}/delete`, {}));
     $("pot").close();
     await showPots();
-    $("found").textContent = `Deleted: ${opened.name || "(no name)"}. ` + $("found").textContent;
+    $("found").textContent = `Deleted: ${opened.name || "(no name)"}.`;
+    $("content").focus({ preventScroll: true });
   } catch (error) {
     tell($("pot-words"), error);
   }
@@ -184,7 +205,18 @@ $("today").addEventListener("click", () => {
 
 // ---- Figures
 
-const TABLES = { vessel: "Vessels", mission: "Missions", way: "Thrown or built", language: "Languages", left: "Where visits ended", reached: "How far they came", ended: "How they ended", hour: "Hours of the day" };
+const TABLES = { vessel: "Vessels", mission: "Missions", way: "How they played", language: "Languages", left: "Where visits ended", reached: "How far they came", ended: "How they ended", hour: "Hours of the day" };
+
+const NAMES = {
+  "": "(none)", back: "went back", idle: "walked away", finished: "finished", closed: "the program ended", fault: "a fault",
+  choose: "choosing a vessel", clay: "touching the clay", throw: "at the wheel", result: "the result", kiln: "the kiln",
+  decorate: "decorating", keepsake: "the keepsake",
+};
+function said(table, name) {
+  if (table === "language") return new Intl.DisplayNames(["en"], { type: "language" }).of(name) || name;
+  if (table === "hour") return name + (String(name).includes(":") ? "" : ":00");
+  return NAMES[name] || String(name).replaceAll("_", " ");
+}
 
 function daysBefore(day, count) {
   const date = new Date(day + "T12:00:00Z");
@@ -202,12 +234,12 @@ async function showFigures() {
       made("table", {}, made("caption", {}, title),
         made("thead", {}, made("tr", {}, ...["", "Visits", "Keepsakes", "Likeness"].map((head) => made("th", { scope: "col" }, head)))),
         made("tbody", {}, ...told.tables[key].map((line) => made("tr", {},
-          made("th", { scope: "row" }, String(line.name).replaceAll("_", " ")),
+          made("th", { scope: "row" }, said(key, line.name)),
           ...[line.visits, line.keepsakes, line.likeness].map((value) => made("td", {}, value === null ? "–" : String(value))))))));
     if (told.visits === 0) return $("figures-body").replaceChildren();
     $("figures-body").replaceChildren(
       made("img", { className: "plot", src: "/figures.svg?" + query, alt: "Visits by day, drawn. The same counts stand in the tables." }),
-      ...tables, made("p", { className: "small" }, "–: fewer than five, or left out so that nobody can be worked out from the rest."));
+      ...tables, made("p", { className: "small" }, "–: nothing to tell, fewer than five, or left out so that nobody can be worked out from the rest."));
   } catch (error) {
     $("figures-body").replaceChildren();
     tell($("figures-words"), error);
@@ -221,10 +253,13 @@ let filesAgain = 0;
 async function showFiles() {
   clearTimeout(filesAgain);
   try {
-    const said = await ask("/api/files"), report = said.report;
+    const said = await ask("/api/files" + (isHere() ? "" : "?alone=1")), report = said.report;
     const checking = said.checking ? "The files are being checked… " : "";
-    if (said.trouble) $("files-words").textContent = checking + said.trouble;
-    else $("files-words").textContent = checking + (report ? report.summary : "");
+    if (said.trouble) {
+      $("files-words").textContent = checking + said.trouble;
+      $("problems").replaceChildren();
+      $("files-list").replaceChildren();
+    } else $("files-words").textContent = checking + (report ? report.summary : "");
     if (report) {
       const place = ({ file, line }) => (line ? `${file}, line ${line}` : file);
       $("problems").replaceChildren(
@@ -334,7 +369,7 @@ $("leave").addEventListener("click", async () => {
   try {
     await ask("/api/leave", {});
   } finally {
-    location.href = "/";
+    location.replace("/");
   }
 });
 

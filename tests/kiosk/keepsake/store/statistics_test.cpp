@@ -153,5 +153,18 @@ TEST(Statistics, OfDaysWithoutVisitsAreNoughts) {
   for (const Table& table : found->tables) EXPECT_TRUE(table.cells.empty());
 }
 
+TEST(StatisticsOfAFile, WithoutAFolderForTemporaryFilesThatIsTold) {
+  const StoreFolder folder;
+  std::vector<Problem> remarks;
+  ASSERT_TRUE(VisitStore::open(folder.file(), "then", remarks));
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("TMPDIR", "/nowhere/at/all", 1);
+  const auto told = read_statistics(folder.file().string(), "", "");
+  before != nullptr ? ::setenv("TMPDIR", kept.c_str(), 1) : ::unsetenv("TMPDIR");
+  ASSERT_FALSE(told);
+  EXPECT_NE(told.error().remedy.find("TMPDIR"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace onggi::store::statistics_test

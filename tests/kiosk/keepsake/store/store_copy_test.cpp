@@ -1,6 +1,7 @@
 #include "kiosk/keepsake/store/store_copy.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "kiosk/keepsake/store/visit_store.h"
 #include "tests/kiosk/keepsake/store/visits.h"
@@ -33,6 +34,15 @@ TEST(StoreCopy, IsWholeWhereNothingIsWrittenAndRefusedWhereAVisitIsWrittenInItsM
   })) << "the log is emptied into the file and begun anew";
   EXPECT_TRUE(copy_still(folder.file(), elsewhere.file()));
   EXPECT_FALSE(copy_still(folder.path() / "none", elsewhere.file()));
+}
+
+TEST(StoreCopy, APipeInThePlaceOfItsLogMakesNobodyWait) {
+  const StoreFolder folder, elsewhere;
+  std::vector<Problem> remarks;
+  ASSERT_TRUE(VisitStore::open(folder.file(), "then", remarks));
+  fs::remove(folder.file().string() + "-wal");
+  ASSERT_EQ(::mkfifo((folder.file().string() + "-wal").c_str(), 0600), 0);
+  EXPECT_FALSE(copy_still(folder.file(), elsewhere.file()));
 }
 
 TEST(StoreCopy, ItsFolderIsGoneWithIt) {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "kiosk/ground/files/paths.h"
+#include "kiosk/ground/files/wall_clock.h"
+#include "kiosk/keepsake/souvenir/open_passes.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/store/visit_store.h"
 #include "tests/kiosk/ground/files/disk.h"
@@ -48,11 +50,15 @@ class StaffPage : public ::testing::Test {
     auto door = Door::make("staff", state_, now_);
     ASSERT_TRUE(door);
     staff_->open(std::move(*door), {kHost, "localhost:8090"});
-    const web::Answer in =
-        staff_->to({.method = "GET", .target = "/?code=" + staff_->door().code(), .host = kHost});
-    EXPECT_EQ(in.status, 303);
+    EXPECT_EQ(enter_by_code().status, 303);
+  }
+  web::Answer enter_by_code() {
+    const auto code = Door::give_code(state_, now_);
+    EXPECT_TRUE(code);
+    web::Answer in = staff_->to({.method = "GET", .target = "/?code=" + *code, .host = kHost});
     for (const auto& [name, value] : in.fields)
       if (name == "Set-Cookie") cookie_ = value.substr(0, value.find(';'));
+    return in;
   }
   void exhibit(const std::string& more) const {
     std::ofstream(site_ / "config/exhibit.toml")
@@ -130,6 +136,26 @@ TEST_F(StaffPage, AfterHalfAnHourWithoutARequestItIsShut) {
   EXPECT_EQ(get("/api/state").status, 401);
 }
 
+TEST_F(StaffPage, WhatThePageAsksByItselfDoesNotKeepTheSessionOpen) {
+  for (int n = 0; n < 3; ++n) {
+    now_ += Door::kIdle / 2;
+    EXPECT_EQ(get("/api/state").status, 200) << "somebody is here";
+  }
+  now_ += Door::kIdle / 2;
+  EXPECT_EQ(get("/api/state?alone=1").status, 200);
+  now_ += Door::kIdle / 2;
+  EXPECT_EQ(get("/api/state?alone=1").status, 401);
+}
+
+TEST_F(StaffPage, WhoOpensAnAddressByHandGetsAPageAndNoJson) {
+  for (const char* target : {"/print/2026-05-28_141503_none", "/nowhere", "/desk"}) {
+    EXPECT_THAT(get(target).body, HasSubstr("<!doctype html>")) << target;
+    web::Ask stranger = asking(target);
+    stranger.cookie = "";
+    EXPECT_THAT(staff_->to(stranger).body, HasSubstr("Sign in")) << target;
+  }
+}
+
 TEST_F(StaffPage, IsServedUnderItsOwnNamesAlone) {
   for (const char* host : {"evil.example:8090", "127.0.0.1", "127.0.0.1:8091", ""})
     for (const std::string& target : kRead) {
@@ -180,6 +206,9 @@ TEST_F(StaffPage, KeepsakesAreFoundByDayAndByAWordOfTheirName) {
   EXPECT_THAT(listed("?name=Quiet+blue%20HERON"), HasSubstr(kJar));
   EXPECT_THAT(listed("?name=2026-05-27+10%3A15"), AllOf(HasSubstr(kOlla), Not(HasSubstr(kJar))));
   EXPECT_EQ(listed("?name=walrus"), "[]");
+  EXPECT_THAT(listed("?name=Moon+jar"), AllOf(HasSubstr(kJar), Not(HasSubstr(kOlla))));
+  EXPECT_THAT(listed("?name=14%3A15&day=2026-05-28"), HasSubstr(kJar));
+  EXPECT_EQ(listed("?name=14%3A15&day=2026-05-27"), "[]");
   EXPECT_EQ(get("/api/keepsakes?day=2026-13-01").status, 409);
   fs::remove_all(keepsakes_);
   EXPECT_EQ(listed(""), "[]") << "before the first there is no folder";
@@ -221,6 +250,12 @@ TEST_F(StaffPage, APhoneGetsAPassOnlyWherePhonesHavePages) {
   EXPECT_THAT(none.body, HasSubstr("[phone]"));
   std::ofstream(site_ / "config/exhibit.toml", std::ios::app)
       << "\n[phone]\naddress = \"http://192.168.4.1:8080\"\nhours = 2\n";
+  const web::Answer unserved = post(target);
+  EXPECT_EQ(unserved.status, 409) << "the code would lead nowhere";
+  EXPECT_THAT(unserved.body, HasSubstr("onggi-phone"));
+  now_ = files::wall_now();
+  souvenir::OpenPasses(keepsakes_).serve();
+  EXPECT_EQ(enter_by_code().status, 303);
   const web::Answer pass = post(target);
   EXPECT_EQ(pass.status, 200) << pass.body;
   EXPECT_THAT(pass.body,
@@ -246,6 +281,27 @@ TEST_F(StaffPage, DeletingTakesEveryCopyAndEveryPassOfThatKeepsakeAlone) {
   EXPECT_EQ(post(std::string("/api/keepsakes/") + kJar + "/delete").status, 404) << "it is gone";
   for (const char* bad : {"..", "phone", "2026-05-28_141503_moon_jar.partial"})
     EXPECT_EQ(post(std::string("/api/keepsakes/") + bad + "/delete").status, 404) << bad;
+}
+
+TEST_F(StaffPage, AFolderOfTheMuseumsOwnIsNeitherListedNorDeletedWhateverItIsCalled) {
+  const fs::path own = keepsakes_ / "2026-01-04_000000_museum";
+  fs::create_directories(own / "sub");
+  std::ofstream(own / "important.doc") << "x";
+  fs::create_directories(keepsakes_ / "2026-01-04_000000_<b>");
+  std::ofstream(keepsakes_ / "2026-01-04_000000_<b>" / "postcard.jpg") << "x";
+  EXPECT_THAT(get("/api/keepsakes").body, AllOf(Not(HasSubstr("museum\"")), Not(HasSubstr("<b>"))));
+  EXPECT_EQ(post("/api/keepsakes/2026-01-04_000000_museum/delete").status, 404);
+  EXPECT_TRUE(fs::exists(own / "important.doc"));
+}
+
+TEST_F(StaffPage, AKeepsakeThatComesIsInTheNextListAndOneThatGoesIsNot) {
+  fs::last_write_time(keepsakes_, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_THAT(get("/api/keepsakes").body, HasSubstr(kJar));
+  fs::create_directory(keepsakes_ / "2026-05-28_150000_olla");
+  std::ofstream(keepsakes_ / "2026-05-28_150000_olla" / "postcard.jpg") << "x";
+  EXPECT_THAT(get("/api/keepsakes").body, HasSubstr("2026-05-28_150000_olla"));
+  fs::remove_all(keepsakes_ / kJar);
+  EXPECT_THAT(get("/api/keepsakes").body, Not(HasSubstr(kJar)));
 }
 
 TEST_F(StaffPage, FiguresAreThoseOfOnggiStatsWithSmallCellsLeftOut) {

@@ -100,6 +100,7 @@ class StaffPage(unittest.TestCase):
     def test_who_comes_without_the_code_or_twice_with_it_stays_outside(self):
         with self.page("phone") as page:
             page.go(self.at)
+            page.wait("document.getElementById('other').open", "how to come in")
             self.assertIn("onggi-console", self.text(page, "main"))
             # The browser tells the console that this page is a 401; the page itself is whole.
             self.assertEqual([c for c in page.complaints() if "401" not in c], [])
@@ -114,6 +115,8 @@ class StaffPage(unittest.TestCase):
     def test_the_desk_finds_prints_gives_a_pass_and_deletes(self):
         with self.exhibit.open("a") as file:
             file.write('\n[phone]\naddress = "http://192.168.4.1:8080"\n')
+        (self.kept / "phone").mkdir()
+        (self.kept / "phone/.served").touch()  # as the program for phones does
         with self.page() as page:
             page.go(self.way_in)
             page.wait("!!document.querySelector('#lines li')")

@@ -70,6 +70,8 @@ TEST(StateReport, SaysWhatIsWrongAndWhatToDo) {
       {"kiosk", Mood::wrong, "has left no word here", [](Known& k) { k.kiosk = {}; }},
       {"kiosk", Mood::wrong, "has said nothing since",
        [](Known& k) { k.kiosk.state->said = kNow - 60; }},
+      {"kiosk", Mood::look, "the machine's clock was set back",
+       [](Known& k) { k.kiosk.state->said = kNow + 86'400; }},
       {"kiosk", Mood::wrong, "another exhibit than yours",
        [](Known& k) { k.kiosk.state->stands_in = true; }},
       {"kiosk", Mood::look, "this page is about",
@@ -83,6 +85,7 @@ TEST(StateReport, SaysWhatIsWrongAndWhatToDo) {
       {"disk", Mood::look, "900 MB", [](Known& k) { k.free_bytes = 900'000'000; }},
       {"disk", Mood::wrong, "50 MB", [](Known& k) { k.free_bytes = 50'000'000; }},
       {"disk", Mood::wrong, "cannot be read", [](Known& k) { k.free_bytes.reset(); }},
+      {"files", Mood::wrong, "2 problems", [](Known& k) { k.file_problems = 2; }},
       {"phones", Mood::wrong, "no answer", [](Known& k) { k.phones_answered = false; }},
       {"trouble", Mood::look, "the last of 3",
        [](Known& k) {

@@ -167,6 +167,41 @@ TEST(StateBoard, ComesToAFolderThatIsMadeLaterOrWasEmptied) {
   EXPECT_TRUE(soon([&] { return shows(later, "tea_bowl"); }));
 }
 
+TEST(StateBoard, AFileOfAnotherThatIsHugeOrNoneOfOursIsPutRight) {
+  const files::test::ScratchFolder folder;
+  std::ofstream(folder / kStateFile) << "not ours";
+  fs::resize_file(folder / kStateFile, std::uintmax_t{1} << 40);  // without a block on the disk
+  StateBoard board(folder.path());
+  board.show(with("moon_jar"));
+  EXPECT_TRUE(soon([&] { return shows(folder.path(), "moon_jar"); }));
+  EXPECT_LE(fs::file_size(folder / kStateFile), kMostOfAState);
+}
+
+TEST(StateBoard, GoesOnInAFileThatWasReplaced) {
+  const files::test::ScratchFolder folder;
+  StateBoard board(folder.path());
+  board.show(with("moon_jar"));
+  EXPECT_TRUE(soon([&] { return shows(folder.path(), "moon_jar"); }));
+  std::ofstream(folder / "restored") << "from a backup";
+  fs::rename(folder / "restored", folder / kStateFile);
+  board.show(with("olla"));
+  EXPECT_TRUE(soon([&] { return shows(folder.path(), "olla"); }));
+}
+
+TEST(KioskState, WhateverIsWrittenThereCanBeCountedWith) {
+  for (const char* value :
+       {"inf", "nan", "-5", "1e308", "99999999999999999999", "-9223372036854775808", "x", ""}) {
+    const auto s = state_of(std::string("frames_a_second ") + value + "\nsaid " + value +
+                            "\ntrouble_at " + value + "\nrunning_s " + value + "\nend\n");
+    ASSERT_TRUE(s) << value;
+    for (const double n : {s->frames_a_second, s->health.running_s, static_cast<double>(s->said),
+                           static_cast<double>(s->trouble->at)}) {
+      EXPECT_GE(n, 0.0) << value;
+      EXPECT_LE(n, 1e12) << value;
+    }
+  }
+}
+
 TEST(StateBoard, IsWrittenOnADiskThatHasBecomeFull) {
   const files::test::ScratchFolder folder;
   const int status = files::test::on_a_disk(folder.path(), 0, "size=64k", [&] {

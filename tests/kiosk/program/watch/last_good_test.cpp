@@ -70,6 +70,17 @@ TEST(last_good, a_changed_exhibit_takes_the_place_of_the_one_before_and_what_it_
   EXPECT_FALSE(fs::exists(good->exhibit.parent_path().parent_path() / "content/vessels/jar"));
 }
 
+// Two links that lead back would be two to the power of forty files.
+TEST(last_good, links_that_lead_back_are_not_followed_and_others_are) {
+  const Site site;
+  const std::string before = *files_of(site.path());
+  EXPECT_NE(before.find("content/vessels/bowl/vessel.toml"), std::string::npos);
+  for (const char* link : {"content/vessels/a", "content/vessels/b"})
+    fs::create_directory_symlink(".", site.path() / link);
+  fs::create_directory_symlink(site.path() / "content", site.path() / "content/vessels/jar/all");
+  EXPECT_EQ(*files_of(site.path()), before);
+}
+
 TEST(last_good, the_same_exhibit_is_not_copied_again) {
   const Site site;
   site.keep();
