@@ -176,7 +176,7 @@ class StaffPage(unittest.TestCase):
             board.flush()
             page.go(self.way_in)
             page.wait("document.querySelector('#lines').innerText.includes('with the moon jar on the wheel')", "it runs")
-            self.looked_at(page, "runs")
+            self.looked_at(page, "console")
             fcntl.flock(board, fcntl.LOCK_UN)
             page.wait("document.querySelector('#lines').innerText.includes('stopped without being closed')", "it crashed")
             self.console.terminate()
