@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes what a fuzzer begins with: tests/fuzz/seeds.py document|parts|texture|replay FOLDER (tests/fuzz/run calls it)."""
+"""Writes what a fuzzer begins with: tests/fuzz/seeds.py document|parts|texture|replay|staff FOLDER (tests/fuzz/run calls it)."""
 
 import base64
 import json
@@ -71,9 +71,23 @@ def replays():
             if name.endswith(".onggi")]
 
 
+def staff():
+    """A request of each kind that the staff's page answers, and a kiosk's state."""
+    visit = "2026-05-28_141503_moon_jar"
+    gets = ["/", "/staff.js", "/?code=abc", "/api/state?alone=1", "/api/files", "/api/figures?from=2026-05-01&to=2026-05-31",
+            "/figures.svg", "/api/keepsakes?day=2026-05-28", "/api/keepsakes?name=blue+heron%20x", "/api/people",
+            f"/keepsake/{visit}/postcard.jpg", f"/print/{visit}", "/api/changes", "/api/door"]
+    posts = [("/api/enter", {"name": "maria", "passphrase": "three wet sponges"}), (f"/api/keepsakes/{visit}/delete", {}),
+             (f"/api/keepsakes/{visit}/pass", {}), ("/api/people/maria/remove", {}), ("/api/passphrase", {"old": "", "new": ""}),
+             ("/api/people", {"name": "maria", "role": "desk", "passphrase": "short"})]
+    state = "version 0.1.0\nsaid 1780000000\nframes_a_second 59.9\ndevice x\ntrouble_at 5\nwhat x\nend\n"
+    return ([b"\x0f" + f"GET\n{g}\n\n".encode() for g in gets] +
+            [b"\x0f" + f"POST\n{target}\n\n{json.dumps(body)}".encode() for target, body in posts] + [state.encode()])
+
+
 if __name__ == "__main__":
     os.makedirs(sys.argv[2], exist_ok=True)
-    kinds = {"document": documents, "parts": parts, "texture": textures, "replay": replays}
+    kinds = {"document": documents, "parts": parts, "texture": textures, "replay": replays, "staff": staff}
     for i, seed in enumerate(kinds[sys.argv[1]]()):
         with open(os.path.join(sys.argv[2], "seed_%d" % i), "wb") as out:
             out.write(seed)
