@@ -1,7 +1,12 @@
+#include <sys/wait.h>
+
+#include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
 
+#include "kiosk/ground/files/child_process.h"
 #include "kiosk/program/commands/commands.h"
 #include "kiosk/program/setup/machine_setup.h"
 
@@ -11,7 +16,7 @@ namespace {
 
 struct SetupArguments {
   std::string root = "/";
-  bool undo = false, dry = false, replace_desktop = false;
+  bool undo = false, dry = false, replace_desktop = false, console = false, code = false;
 };
 
 void tell(const char* head, const std::vector<std::string>& lines) {
@@ -29,11 +34,31 @@ Result<int> undo(const setup::System& system, bool dry) {
   return 0;
 }
 
+/// Another way into the staff's page, by the program that serves it.
+Result<int> give_code() {
+  std::error_code error;
+  const auto program =
+      std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "onggi-console";
+  std::cout.flush();
+  auto child = files::ChildProcess::start(
+      program.string(), {"--site", setup::kSite, "--state", setup::kConsoleState, "--code"},
+      {-1, 1, 2});
+  if (!child)
+    return problem(program.string(), "It could not be started.", "Install the package again.", 1);
+  constexpr auto kAMinute = std::chrono::seconds(60);
+  if (!child->wait_until(files::ChildProcess::Clock::now() + kAMinute))
+    return problem(program.string(), "It does not end.", "Try again.", 1);
+  return WIFEXITED(child->status()) ? WEXITSTATUS(child->status()) : 1;
+}
+
 Result<int> set_up(const SetupArguments& arguments) {
+  if (arguments.code) return give_code();
   const setup::System system{arguments.root};
   if (arguments.undo) return undo(system, arguments.dry);
-  setup::SetupOptions options{
-      .system = system, .dry = arguments.dry, .replace_desktop = arguments.replace_desktop};
+  setup::SetupOptions options{.system = system,
+                              .dry = arguments.dry,
+                              .console = arguments.console,
+                              .replace_desktop = arguments.replace_desktop};
   const auto report = setup::set_up(options);
   if (!report) return tl::unexpected(report.error());
   tell(arguments.dry ? "Would change:" : "Changed:", report->changed);
@@ -42,6 +67,10 @@ Result<int> set_up(const SetupArguments& arguments) {
   std::cout << "The exhibit is " << setup::kSite << "/config/exhibit.toml; after a change: cd "
             << setup::kSite << " && onggi check\n"
             << "The kiosk starts with the machine; at once: sudo systemctl start onggi\n"
+            << (arguments.console
+                    ? "The staff's page starts with the machine too; at once: sudo systemctl start "
+                      "onggi-console\nThe first way in: sudo onggi setup --code\n"
+                    : "")
             << "To undo all of this: sudo onggi setup --undo\n";
   return 0;
 }
@@ -57,10 +86,15 @@ cli::Command setup_command() {
           .examples =
               "Example: sudo onggi setup\n"
               "         onggi setup --dry-run\n"
+              "         sudo onggi setup --console\n"
               "         sudo onggi setup --undo",
           .options = {{"--dry-run", &a->dry,
                        "List what would be changed or undone, and change nothing"},
                       {"--undo", &a->undo, "Undo what an earlier setup changed"},
+                      {"--console", &a->console, "Start the staff's page with the machine too"},
+                      {.name = "--code",
+                       .field = &a->code,
+                       .help = "Only print a way into the staff's page, good once and for an hour"},
                       {"--replace-desktop", &a->replace_desktop,
                        "Start the kiosk instead of the machine's desktop"},
                       {.name = "--root",

@@ -261,8 +261,8 @@ onggi::Result<int> serve_staff(const Arguments& a) {
   const auto hosts = hosts_of(at->address, port);
   std::cout << "The staff's page of " << file.string() << '\n'
             << "  http://" << hosts.front() << "/?code=" << door->code() << '\n'
-            << "Open this address in a browser of this machine. It opens once. Ctrl+C ends the "
-               "page; the kiosk goes on."
+            << "Open this address in a browser within an hour. It opens once; who has a name "
+               "signs in without its code.\nCtrl+C ends the page; the kiosk goes on."
             << std::endl;
   staff.open(std::move(*door), hosts);
   (*server)->run([&staff] {

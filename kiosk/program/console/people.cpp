@@ -1,6 +1,8 @@
 #include "kiosk/program/console/people.h"
 
+#include <fcntl.h>
 #include <sodium.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "kiosk/ground/files/descriptor.h"
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/read_file.h"
 
@@ -21,6 +24,15 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostOfPeople = 1u << 20;
 constexpr std::size_t kMostPeople = 200;
 constexpr std::array kRoles{"desk", "editor"};
+
+/// Held while the file is read and written: another program may change it too.
+files::Descriptor locked(const fs::path& file) {
+  files::Descriptor lock(
+      ::open((file.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
+  // Where there is no lock to be had, writing fails too, and says why.
+  if (lock.open()) static_cast<void>(::flock(lock.get(), LOCK_EX));
+  return lock;
+}
 
 Result<std::string> hash_of(const std::string& passphrase) {
   std::array<char, crypto_pwhash_STRBYTES> text{};
@@ -58,7 +70,7 @@ Result<People> People::open(const fs::path& state) {
   if (::stat(state.c_str(), &info) != 0 || !S_ISDIR(info.st_mode))
     return tl::unexpected(files::disk_problem(state, "read", errno));
   // Who can write here makes himself an editor.
-  if (info.st_uid != ::geteuid())
+  if (info.st_uid != ::geteuid() && ::geteuid() != 0)
     return problem(state.string(), "This folder belongs to another user.",
                    "Run onggi-console as that user, or name another folder with --state.", 1);
   if ((info.st_mode & 077) != 0 && ::chmod(state.c_str(), 0700) != 0)
@@ -119,6 +131,13 @@ Result<void> People::set(const std::string& name, Role role, const std::string& 
   if (!is_person_name(name))
     return problem(name, "This cannot be a name here.",
                    "Take 1 to 40 small letters, digits, '.', '-' or '_', a letter first: maria.k");
+  std::string hash;
+  if (passphrase.size() >= kShortest && passphrase.size() <= kLongest) {
+    auto made = hash_of(passphrase);
+    if (!made) return tl::unexpected(made.error());
+    hash = std::move(*made);
+  }
+  const files::Descriptor lock = locked(file_);
   auto people = all();
   if (!people) return tl::unexpected(people.error());
   auto found = std::ranges::find(*people, name, &Person::name);
@@ -136,15 +155,12 @@ Result<void> People::set(const std::string& name, Role role, const std::string& 
     found = people->insert(std::ranges::lower_bound(*people, name, {}, &Person::name),
                            {name, role, ""});
   found->role = role;
-  if (!passphrase.empty()) {
-    auto hash = hash_of(passphrase);
-    if (!hash) return tl::unexpected(hash.error());
-    found->hash = std::move(*hash);
-  }
+  if (!hash.empty()) found->hash = std::move(hash);
   return write(*people);
 }
 
 Result<void> People::remove(const std::string& name) {
+  const files::Descriptor lock = locked(file_);
   auto people = all();
   if (!people) return tl::unexpected(people.error());
   if (std::erase_if(*people, [&](const Person& one) { return one.name == name; }) == 0)

@@ -93,6 +93,8 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
   }
   steps.push_back({Kind::enable, "onggi-display.service", {}, "the screen"});
   steps.push_back({Kind::enable, "onggi.service", {}, "the kiosk"});
+  if (options.console)
+    steps.push_back({Kind::enable, "onggi-console.service", {}, "the staff's page"});
   return steps;
 }
 

@@ -15,10 +15,14 @@ inline constexpr const char* kSite = "/srv/onggi";
 /// root's own folder, because the kiosk's user must not control what root undoes.
 inline constexpr const char* kChanges = "/var/lib/onggi-setup/changed";
 
+/// Where the service of the staff's page keeps who may use it.
+inline constexpr const char* kConsoleState = "/var/lib/onggi-console";
+
 struct SetupOptions {
   System system{};
   std::filesystem::path data = "/usr/share/onggi";  ///< On the system: config/, content/, system/.
   bool dry = false;                                 ///< Report the changes without making them.
+  bool console = false;                             ///< Start the staff's page with the machine.
   bool replace_desktop = false;  ///< Stop a display manager from starting with the machine.
 };
 

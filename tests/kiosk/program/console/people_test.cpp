@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
@@ -90,6 +92,20 @@ TEST_F(PeopleTest, NamesAndPassphrasesThatCannotBeAreRefusedAndNothingIsWritten)
   EXPECT_FALSE(fs::exists(state_ / "people"));
   EXPECT_TRUE(people.set("maria", Role::desk, std::string(People::kShortest, 'x')));
   EXPECT_TRUE(people.set("joon", Role::desk, std::string(People::kLongest, 'x')));
+}
+
+TEST_F(PeopleTest, AreAllThereWhereTwoProgramsAddThemAtOnce) {
+  open();
+  constexpr int kEach = 8;
+  std::vector<std::thread> programs;
+  for (const char* who : {"a", "b", "c"})
+    programs.emplace_back([this, who] {
+      People people = open();
+      for (int n = 0; n < kEach; ++n)
+        EXPECT_TRUE(people.set(who + std::to_string(n), Role::desk, "three wet sponges"));
+    });
+  for (std::thread& one : programs) one.join();
+  EXPECT_EQ(open().all()->size(), 3u * kEach);
 }
 
 TEST_F(PeopleTest, AFileThatIsDamagedLetsNobodyInAndSaysWhichLine) {

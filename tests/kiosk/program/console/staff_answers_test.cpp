@@ -128,7 +128,7 @@ TEST_F(StaffPage, WhoHasNotComeInSeesAndChangesNothing) {
   }
   for (const std::string& target : kChange) EXPECT_EQ(post(target).status, 401) << target;
   EXPECT_TRUE(fs::exists(keepsakes_ / kJar));
-  EXPECT_THAT(get("/").body, HasSubstr("onggi-console"));
+  EXPECT_THAT(get("/").body, HasSubstr("onggi setup --code"));
 }
 
 TEST_F(StaffPage, AfterHalfAnHourWithoutARequestItIsShut) {

@@ -101,7 +101,7 @@ class StaffPage(unittest.TestCase):
         with self.page("phone") as page:
             page.go(self.at)
             page.wait("document.getElementById('other').open", "how to come in")
-            self.assertIn("onggi-console", self.text(page, "main"))
+            self.assertIn("sudo onggi setup --code", self.text(page, "main"))
             # The browser tells the console that this page is a 401; the page itself is whole.
             self.assertEqual([c for c in page.complaints() if "401" not in c], [])
         with self.page() as page:
@@ -110,7 +110,7 @@ class StaffPage(unittest.TestCase):
         with self.page() as page:
             page.go(self.way_in)
             page.wait("document.getElementById('other').open", "how to come in")
-            self.assertIn("open the address that it prints", self.text(page, "main"))
+            self.assertIn("behind this page", self.text(page, "main"))
 
     def test_the_desk_finds_prints_gives_a_pass_and_deletes(self):
         with self.exhibit.open("a") as file:

@@ -39,7 +39,7 @@ class Image {
     put("usr/share/onggi/system/90-onggi.conf", "screen");
     put("usr/share/onggi/system/journald.conf", "log");
     link("lib", "usr/lib");
-    for (const char* unit : {"onggi", "onggi-display", "gdm3"})
+    for (const char* unit : {"onggi", "onggi-display", "onggi-console", "gdm3"})
       put("usr/lib/systemd/system/" + std::string(unit) + ".service",
           "[Service]\nExecStart=/bin/true\n[Install]\nWantedBy=multi-user.target\n");
     put("usr/lib/systemd/system/getty@.service",
@@ -97,6 +97,18 @@ TEST(machine_setup, a_bare_machine_becomes_a_kiosk) {
   EXPECT_TRUE(image.starts("onggi.service"));
   EXPECT_TRUE(image.starts("onggi-display.service"));
   EXPECT_FALSE(image.starts("getty@tty1.service", "getty"));
+}
+
+TEST(machine_setup, the_staffs_page_starts_with_the_machine_only_when_asked_to_and_undo_ends_that) {
+  const Image image;
+  good(set_up(image.options()));
+  EXPECT_FALSE(image.starts("onggi-console.service"));
+  SetupOptions options = image.options();
+  options.console = true;
+  EXPECT_THAT(good(set_up(options)).changed, SizeIs(1)) << "on a machine that is a kiosk already";
+  EXPECT_TRUE(image.starts("onggi-console.service"));
+  good(undo_setup(image.system()));
+  EXPECT_FALSE(image.starts("onggi-console.service"));
 }
 
 TEST(machine_setup, a_second_setup_changes_nothing_and_leaves_what_the_museum_changed) {
