@@ -106,17 +106,16 @@ bool History::keep_up(Clay& clay, int rows) noexcept {
   return false;
 }
 
-void History::begin_touch(const Clay& clay) noexcept {
+// The touch and what settled before it are one step: its edge is then the undo, to the last bit.
+void History::begin_touch() noexcept {
   if (!settling_) return;
-  settling_ = false;
-  if (steps_.back().first == next_)
-    steps_.back().settles = false;
-  else
-    end_step(clay);
+  settling_ = steps_.back().settles = false;
+  lasted_ = 0.0;
 }
 
 void History::follow(Clay& clay, Stir stir, double seconds) noexcept {
-  if (stir == Stir::touching) begin_touch(clay);
+  if (stir == Stir::touching) begin_touch();
+  if (stir == Stir::moving) steps_.back().moves = true;
   keep_up(clay, std::max(kLeastRowsATick, rows_of(kElementsATick)));
   clear_ = stir == Stir::none ? clear_ + seconds : 0.0;
   const bool empty = steps_.back().first == next_;
@@ -131,26 +130,28 @@ void History::end_step(const Clay& clay) noexcept {
   unsettled_.add(in_step_);
   in_step_.clear();
   if (steps_.size() == kMostSteps) steps_.erase(steps_.begin());
-  steps_.push_back({next_, next_place_, clay.floor_top(), settling_});
+  steps_.push_back({next_, next_place_, clay.floor_top(), settling_, false});
   ++depth_;
 }
 
 bool History::begin_step(Clay& clay, int element_budget) noexcept {
   if (!keep_up(clay, rows_of(element_budget))) return false;
   const bool empty = steps_.back().first == next_;
-  if (settling_)
-    begin_touch(clay);
-  else
-    end_step(clay);
+  settling_ = false;
+  if (empty) steps_.back().settles = false;
+  end_step(clay);
   return empty;
 }
 
-bool History::can_step_back() const {
+bool History::reaches_back_to(bool moved_by_itself) const {
   std::uint64_t end = next_;
   for (std::size_t n = steps_.size(); n-- > 0 && reaches(steps_[n]); end = steps_[n].first)
-    if (steps_[n].first != end && !steps_[n].settles) return true;
+    if (steps_[n].first != end && (!steps_[n].settles || (moved_by_itself && steps_[n].moves)))
+      return true;
   return false;
 }
+
+bool History::can_step_back() const { return reaches_back_to(true); }
 
 void History::put_back(Clay& clay, std::uint64_t at) noexcept {
   const Slot& slot = slots_[at % slots_.size()];
@@ -199,7 +200,9 @@ bool History::step_back_some(Clay& clay, int element_budget) noexcept {
   lasted_ = 0.0;
   const bool settled = steps_.back().settles;
   settling_ = steps_.back().settles = true;  // what moves now belongs to no hand
-  return !settled || !can_step_back();
+  steps_.back().moves = false;
+  // Else clay that sags again and again could never be taken back any further.
+  return !settled || !reaches_back_to(false);
 }
 
 void History::add_to(StateHash& hash) const {

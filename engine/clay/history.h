@@ -46,15 +46,16 @@ class History {
   /// somebody's doing.
   bool begin_step(Clay& clay, int element_budget) noexcept;
 
-  /// There is a step that somebody made, and the ring still has it.
+  /// There is a step that somebody made, or in which undone clay moved by itself, and the ring
+  /// still has it.
   bool can_step_back() const;
   /// Number of the step under way; each end adds one, each undo takes one.
   std::uint64_t depth() const { return depth_; }
   /// Time since the clay first changed in the step under way, s.
   double lasted() const { return lasted_; }
-  /// Undoes the last step, and with it the steps in which undone clay only settled. At most about
-  /// `element_budget` elements a call. True when done, or if there is nothing to undo. Until then
-  /// nobody else may change the clay.
+  /// Undoes the last step; where undone clay only settled in it, also the step before. At most
+  /// about `element_budget` elements a call. True when done, or if there is nothing to undo. Until
+  /// then nobody else may change the clay.
   bool step_back_some(Clay& clay, int element_budget) noexcept;
 
   /// Hash of the bookkeeping; radii follow from the input.
@@ -65,7 +66,8 @@ class History {
     std::uint64_t first = 0;        // first of its rows, counted over the ring's whole life,
     std::uint64_t first_place = 0;  // and first of its insertions and removals
     double floor_top = 0.0;
-    bool settles = false;  // no hand has touched the clay since an undo
+    bool settles = false;  // no hand has touched the clay since an undo,
+    bool moves = false;    // but it moved by itself, as wet clay sags
   };
   struct Slot {
     int row = 0;  // stored row
@@ -79,7 +81,8 @@ class History {
 
   int rows_of(int elements) const { return elements > stride_ ? elements / stride_ : 1; }
   bool keep_up(Clay& clay, int rows) noexcept;
-  void begin_touch(const Clay& clay) noexcept;
+  bool reaches_back_to(bool moved_by_itself) const;
+  void begin_touch() noexcept;
   void end_step(const Clay& clay) noexcept;
   void note(PlaceChange change) noexcept;
   void undo_places(Clay& clay, int most) noexcept;
