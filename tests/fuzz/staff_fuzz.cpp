@@ -32,8 +32,8 @@ struct World {
 
   World() {
     fs::create_directories(site / "config");
-    std::ofstream(site / "config/exhibit.toml") << "credit = \"Clay\"\n";
-    std::ofstream(site / "outside") << "secret";
+    std::ofstream(site / "config/exhibit.toml") << "credit = \"Kl4y-0f-museum\"\n";
+    std::ofstream(site / "outside") << "S3cr3t-0utside";
     put_back();
     auto found = console::Site::open(site);
     auto people = console::People::open(site / "state");
@@ -91,8 +91,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (answer.status < 200 || answer.status > 599) std::abort();
   if (ask.host != kHost && answer.status != 421) std::abort();
   if (!inside && answer.file) std::abort();
-  if (!inside && answer.body.find("Clay") != std::string::npos) std::abort();
-  if (answer.body.find("secret") != std::string::npos) std::abort();
+  if (!inside && answer.body.find("Kl4y-0f-museum") != std::string::npos) std::abort();
+  if (answer.body.find("S3cr3t-0utside") != std::string::npos) std::abort();
   if (answer.file && answer.file->size != 4) std::abort();  // the postcard
   if (!fs::exists(world.site / "outside") || !fs::exists(world.site / "config/exhibit.toml"))
     std::abort();

@@ -1,9 +1,11 @@
 #include "kiosk/program/console/change_log.h"
 
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
 
@@ -26,7 +28,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
   std::istringstream in(std::string(bytes->begin(), bytes->end()));
   // A line that a power cut tore is none.
   for (std::string line; std::getline(in, line);)
-    if (line.starts_with(kBegins) && line.ends_with('}')) lines.push_back(std::move(line));
+    if (line.starts_with(kBegins) && nlohmann::json::accept(line)) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -40,16 +42,25 @@ std::int64_t time_of(const std::string& line) {
 
 Result<void> ChangeLog::add(const Change& c) const {
   using files::Json;
-  const std::string line =
+  std::string line =
       Json::object(
           {{"at", c.at}, {"who", c.who}, {"from", c.from}, {"did", c.did}, {"what", c.what}})
           .text(-1) +
       '\n';
   files::Descriptor file(
-      ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600));
-  if (!file.open() || !files::write_all(file.get(), std::as_bytes(std::span(line))) ||
-      !file.close())
-    return tl::unexpected(files::disk_problem(file_, "write", errno));
+      ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600));
+  const off_t end = file.open() ? ::lseek(file.get(), 0, SEEK_END) : -1;
+  if (end < 0) return tl::unexpected(files::disk_problem(file_, "write", errno));
+  // Behind a line that a power cut tore, this one is whole.
+  char last = '\n';
+  if (end > 0 && ::pread(file.get(), &last, 1, end - 1) == 1 && last != '\n')
+    line.insert(0, 1, '\n');
+  if (!files::write_all(file.get(), std::as_bytes(std::span(line)))) {
+    const int error = errno;
+    static_cast<void>(::ftruncate(file.get(), end) == 0);
+    return tl::unexpected(files::disk_problem(file_, "write", error));
+  }
+  if (!file.close()) return tl::unexpected(files::disk_problem(file_, "write", errno));
   return {};
 }
 

@@ -241,6 +241,12 @@ onggi::Result<int> serve_staff(const Arguments& a) {
   if (!people) return tl::unexpected(people.error());
   const auto clock = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
   if (a.code) {
+    if (!console::Door::served(state))
+      return onggi::problem(
+          state.string(), "No page is served with this folder, so that a code would open nothing.",
+          "Start it: sudo systemctl start onggi-console. Or, where somebody started it by hand, "
+          "write the same user and --state.",
+          1);
     const auto code = console::Door::give_code(state, clock());
     if (!code) return tl::unexpected(code.error());
     std::cout << "Put this behind the page's address, within an hour. It opens once:\n  /?code="
@@ -254,6 +260,7 @@ onggi::Result<int> serve_staff(const Arguments& a) {
                                .clock = clock});
   const auto server = onggi::web::Server::listen(at->address, at->port, staff);
   if (!server) return tl::unexpected(server.error());
+  const onggi::files::Descriptor serving = console::Door::serve(state);
   // The port may be any free one.
   const std::uint16_t port = (*server)->port();
   auto door = console::Door::make("onggi_staff_" + std::to_string(port), state, clock());

@@ -1,6 +1,8 @@
 #include "kiosk/program/console/door.h"
 
+#include <fcntl.h>
 #include <sodium.h>
+#include <sys/file.h>
 
 #include <algorithm>
 #include <array>
@@ -17,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A browser that drops its cookie at each request shall not fill the memory.
-constexpr std::size_t kMostSessions = 64;
+constexpr std::size_t kMostSessions = 1024;
+constexpr std::ptrdiff_t kMostOfOne = 8;
 constexpr std::size_t kMostOfACode = 1024;  // bytes of its file
 
 fs::path code_file(const fs::path& state) { return state / "code"; }
@@ -61,6 +63,19 @@ Result<Door> Door::make(std::string cookie, fs::path state, std::int64_t now) {
   return Door(std::move(cookie), std::move(state), std::move(*code), now);
 }
 
+files::Descriptor Door::serve(const fs::path& state) {
+  files::Descriptor file(
+      ::open((state / "serving").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
+  if (file.open()) static_cast<void>(::flock(file.get(), LOCK_SH | LOCK_NB));
+  return file;
+}
+
+bool Door::served(const fs::path& state) {
+  const files::Descriptor file(
+      ::open((state / "serving").c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  return file.open() && ::flock(file.get(), LOCK_EX | LOCK_NB) != 0;
+}
+
 Result<std::string> Door::give_code(const fs::path& state, std::int64_t now) {
   auto code = souvenir::Passes::new_token();
   if (!code) return code;
@@ -98,10 +113,19 @@ std::string Door::admit(const std::string& who, Role role, std::int64_t now) {
   auto token = souvenir::Passes::new_token();
   auto more = souvenir::Passes::new_token();  // together 256 bits and more
   if (!token || !more) return {};
-  if (sessions_.size() >= kMostSessions)
-    sessions_.erase(std::min_element(sessions_.begin(), sessions_.end(), [](auto& a, auto& b) {
-      return a.second.seen < b.second.seen;
-    }));
+  // Nobody's browsers, dropping their cookies, put out others.
+  const auto drop_oldest = [this](const auto& which) {
+    auto oldest = sessions_.end();
+    for (auto it = sessions_.begin(); it != sessions_.end(); ++it)
+      if (which(it->second) && (oldest == sessions_.end() || it->second.seen < oldest->second.seen))
+        oldest = it;
+    if (oldest != sessions_.end()) sessions_.erase(oldest);
+  };
+  const auto of_who = [&who](const Session& one) { return one.who == who; };
+  if (std::ranges::count_if(sessions_, [&](const auto& one) { return of_who(one.second); }) >=
+      kMostOfOne)
+    drop_oldest(of_who);
+  if (sessions_.size() >= kMostSessions) drop_oldest([](const Session&) { return true; });
   const std::string whole = *token + *more;
   sessions_[whole] = {who, role, now, now};
   return set_cookie(whole, kLongest);

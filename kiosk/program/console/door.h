@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/base/result.h"
+#include "kiosk/ground/files/descriptor.h"
 #include "kiosk/ground/web/message.h"
 #include "kiosk/program/console/people.h"
 
@@ -37,6 +38,10 @@ class Door {
 
   /// The code that opens it now, until it was used or kCodeLasts are over.
   const std::string& code() const { return code_; }
+  /// Held while a program serves the page with this state folder, so that served() is true: a code
+  /// for a page that nobody serves would open nothing.
+  static files::Descriptor serve(const std::filesystem::path& state);
+  static bool served(const std::filesystem::path& state);
   /// Another code for the program that serves `state`, given by another process: only its hash is
   /// on the disk. It replaces the one given before. Problem, exit 1: the disk.
   static Result<std::string> give_code(const std::filesystem::path& state, std::int64_t now);

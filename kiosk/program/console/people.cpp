@@ -25,6 +25,12 @@ constexpr std::size_t kMostOfPeople = 1u << 20;
 constexpr std::size_t kMostPeople = 200;
 constexpr std::array kRoles{"desk", "editor"};
 
+/// Of UTF-8: its bytes without those that continue a letter.
+std::size_t letters_of(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
 /// Held while the file is read and written: another program may change it too.
 files::Descriptor locked(const fs::path& file) {
   files::Descriptor lock(
@@ -76,6 +82,12 @@ Result<People> People::open(const fs::path& state) {
   if ((info.st_mode & 077) != 0 && ::chmod(state.c_str(), 0700) != 0)
     return problem(state.string(), "Others may read or write in this folder.",
                    "Type: chmod 700 " + state.string(), 1);
+  // What a power cut left of a file that was being written holds hashes too.
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(state, error))
+    if (const std::string name = entry.path().filename().string();
+        name.starts_with(".people.") && name.ends_with(".part"))
+      fs::remove(entry.path(), error);
   People people(state / "people");
   auto nothing = hash_of("");
   if (!nothing) return tl::unexpected(nothing.error());
@@ -95,6 +107,7 @@ Result<std::vector<Person>> People::all() {
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     std::istringstream words(line);
     std::string name, role, hash, more;
     words >> name >> role >> hash;
@@ -122,9 +135,16 @@ Result<std::optional<Role>> People::role_with(const std::string& name,
   const std::string& hash = found == people->end() ? no_one_ : found->hash;
   // Longer ones are nobody's, and cost time.
   const bool same =
-      passphrase.size() <= kLongest &&
+      letters_of(passphrase) <= kLongest &&
       ::crypto_pwhash_str_verify(hash.c_str(), passphrase.data(), passphrase.size()) == 0;
   return same && found != people->end() ? std::optional(found->role) : std::nullopt;
+}
+
+std::optional<Role> People::role_now(const std::string& name) {
+  const auto people = all();
+  if (!people) return std::nullopt;
+  const auto found = std::ranges::find(*people, name, &Person::name);
+  return found != people->end() ? std::optional(found->role) : std::nullopt;
 }
 
 Result<void> People::set(const std::string& name, Role role, const std::string& passphrase) {
@@ -132,7 +152,8 @@ Result<void> People::set(const std::string& name, Role role, const std::string& 
     return problem(name, "This cannot be a name here.",
                    "Take 1 to 40 small letters, digits, '.', '-' or '_', a letter first: maria.k");
   std::string hash;
-  if (passphrase.size() >= kShortest && passphrase.size() <= kLongest) {
+  const std::size_t letters = letters_of(passphrase);
+  if (letters >= kShortest && letters <= kLongest) {
     auto made = hash_of(passphrase);
     if (!made) return tl::unexpected(made.error());
     hash = std::move(*made);
@@ -142,10 +163,10 @@ Result<void> People::set(const std::string& name, Role role, const std::string& 
   if (!people) return tl::unexpected(people.error());
   auto found = std::ranges::find(*people, name, &Person::name);
   const bool fresh = found == people->end();
-  if ((fresh || !passphrase.empty()) && passphrase.size() < kShortest)
+  if ((fresh || !passphrase.empty()) && letters < kShortest)
     return problem("passphrase", "It is too short.",
                    "Take " + std::to_string(kShortest) + " letters or more: a few words are good.");
-  if (passphrase.size() > kLongest)
+  if (letters > kLongest)
     return problem("passphrase", "It is too long.",
                    "Take " + std::to_string(kLongest) + " letters at the most.");
   if (fresh && people->size() >= kMostPeople)

@@ -32,7 +32,7 @@ bool is_person_name(const std::string& name);
 /// fifth of a second and 64 MiB (Argon2id, libsodium's "interactive").
 class People {
  public:
-  static constexpr std::size_t kShortest = 12, kLongest = 128;  ///< Letters of a passphrase, bytes.
+  static constexpr std::size_t kShortest = 12, kLongest = 128;  ///< Letters of a passphrase.
 
   /// Makes `state` if it is missing. Problem, exit 1: it cannot be used, or others may write there.
   static Result<People> open(const std::filesystem::path& state);
@@ -41,6 +41,8 @@ class People {
   Result<std::vector<Person>> all();
   /// The role of who has this passphrase. As slow for a name that there is not.
   Result<std::optional<Role>> role_with(const std::string& name, const std::string& passphrase);
+  /// The role of somebody; absent: nobody is called so (any more), or the file cannot be read.
+  std::optional<Role> role_now(const std::string& name);
   /// Adds somebody, or gives them another role or passphrase (empty: it stays). Problem, exit 2: a
   /// name or passphrase that cannot be; 1: the disk.
   Result<void> set(const std::string& name, Role role, const std::string& passphrase);

@@ -68,6 +68,11 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
   const bool by_itself = reads && web::asked_for(ask.target, "alone") == "1";
   const Session* session = door_->session_of(ask, parts_.clock(), by_itself);
   if (session == nullptr) return outside(ask);
+  // Another program may have changed that, or a hand with an editor.
+  if (session->who != Session::kByCode && parts_.people.role_now(session->who) != session->role) {
+    door_->end_all_of(std::string(session->who));
+    return outside(ask);
+  }
   // What is done may end it.
   const Session copy = *session;
   return reads ? get(ask, copy) : post(ask, copy);
@@ -77,7 +82,7 @@ web::Answer StaffAnswers::outside(const web::Ask& ask) {
   if (ask.target == "/api/enter" && ask.method == "POST") return enter(ask);
   if (ask.method != "POST" && ask.target == "/api/door") {
     const auto people = parts_.people.all();
-    return json(Json::object({{"names", people && !people->empty()}}));
+    return json(Json::object({{"names", !people || !people->empty()}}));
   }
   const bool page = !ask.target.starts_with("/api/") && !ask.target.starts_with("/keepsake/") &&
                     !ask.target.starts_with("/figures.svg");
@@ -132,6 +137,7 @@ web::Answer StaffAnswers::post(const web::Ask& ask, const Session& session) {
   if (ask.target == "/api/leave")
     return {
         .status = 200, .type = kJson, .body = "{}", .fields = {{"Set-Cookie", door_->leave(ask)}}};
+  if (ask.target == "/api/enter") return enter(ask);  // in another tab
   if (ask.target == "/api/passphrase")
     return noted(set_passphrase(ask, session), ask, session, "changed passphrase", session.who);
   const auto parts = parts_of(ask.target);
@@ -161,12 +167,14 @@ web::Answer StaffAnswers::noted(web::Answer answer, const web::Ask& ask, const S
 web::Answer StaffAnswers::set_passphrase(const web::Ask& ask, const Session& session) {
   const Words words(ask.body);
   const std::int64_t now = parts_.clock();
-  if (patience_.wait(session.who, ask.from, now) > 0)
+  // Whoever tries at the door from the same address keeps nobody waiting here.
+  const std::string here = session.who + " (in)";
+  if (patience_.wait(here, ask.from, now) > 0)
     return refused(429, "That was wrong before.", "Wait a minute, and try again.");
   const auto role = parts_.people.role_with(session.who, words["old"]);
   if (!role) return refused(500, role.error());
   if (!*role) {
-    patience_.wrong(session.who, ask.from, now);
+    patience_.wrong(here, ask.from, now);
     return refused(409, "The old passphrase is another.", "Try again.");
   }
   if (auto set = parts_.people.set(session.who, **role, words["new"]); !set)
@@ -197,12 +205,18 @@ web::Answer StaffAnswers::post_people(const web::Ask& ask, const Session& sessio
   const std::string name = words["name"];
   const auto role = role_of(words["role"]);
   if (!role) return refused(409, "This is no role.", "Take desk or editor.");
+  const auto before = parts_.people.role_now(name);
+  if (before && words["add"] == "yes")
+    return refused(409, "There is a " + name + " already.",
+                   "Take another name, or choose Change beside that one.");
   if (auto set = parts_.people.set(name, *role, words["passphrase"]); !set)
     return refused(set.error());
   // Whoever was signed in by the old passphrase or with the old role comes in anew.
   door_->end_all_of(name);
-  return noted(json(Json::object()), ask, session, "set person",
-               name + " (" + name_of(*role) + ')');
+  const char* did = !before                       ? "added person"
+                    : words["passphrase"].empty() ? "gave a role"
+                                                  : "gave a passphrase";
+  return noted(json(Json::object()), ask, session, did, name + " (" + name_of(*role) + ')');
 }
 
 web::Answer StaffAnswers::changes() {

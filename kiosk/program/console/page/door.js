@@ -4,8 +4,16 @@ const $ = (id) => document.getElementById(id);
 
 fetch("/api/door").then((answer) => answer.json()).then(({ names }) => {
   $("enter").hidden = !names;
-  $("other").open = !names;
+  if (!names) $("other").open = true;
 });
+
+if (location.search.includes("code=")) {
+  $("said").textContent = "This code is not good any more: it opens once, and within an hour.";
+  $("other").open = true;
+} else {
+  $("said").textContent = sessionStorage.getItem("why") || "";
+}
+sessionStorage.removeItem("why");
 
 $("enter").addEventListener("submit", async (event) => {
   event.preventDefault();

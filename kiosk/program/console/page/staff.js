@@ -20,7 +20,7 @@ async function ask(address, post) {
     answer = await fetch(address, how);
   } catch {
     throw Object.assign(new Error("The program behind this page does not answer."),
-      { remedy: "Start onggi-console again, and open the address that it prints.", lost: true });
+      { remedy: "Start it: sudo systemctl start onggi-console. Elsewhere, start onggi-console again.", lost: true });
   }
   const said = await answer.json();
   if (!answer.ok) throw Object.assign(new Error(said.what), { remedy: said.remedy, lost: answer.status === 401, out: answer.status === 401 });
@@ -33,7 +33,10 @@ function tell(place, error) {
 }
 function lose(error) {
   // What the last one saw is not for the next.
-  if (error.out) return location.replace("/");
+  if (error.out) {
+    sessionStorage.setItem("why", "You were signed out: half an hour passed, or an editor changed your name, role or passphrase.");
+    return location.replace("/");
+  }
   $("lost").hidden = false;
   $("lost").replaceChildren(made("strong", {}, error.message), " " + error.remedy);
 }
@@ -290,10 +293,13 @@ async function showPeople() {
   }
 }
 
+let changing = ""; // whose Change was chosen
 function showPerson({ name, role }) {
   const change = made("button", { className: "quiet" }, "Change"), remove = made("button", { className: "danger" }, "Remove");
   change.addEventListener("click", () => {
+    changing = name;
     $("person-name").value = name;
+    $("person").scrollIntoView();
     $("person-role").value = role;
     $("person-passphrase").focus();
     $("people-words").textContent = `Choose what ${name} may do. Without a new passphrase the old one stays.`;
@@ -314,6 +320,7 @@ async function savePeople(address, post, words) {
   try {
     await waiting($("people-words"), "Saving…", ask(address, post));
     $("person").reset();
+    changing = "";
     await showPeople();
     $("people-words").textContent = words;
   } catch (error) {
@@ -323,8 +330,9 @@ async function savePeople(address, post, words) {
 $("person").addEventListener("submit", (event) => {
   event.preventDefault();
   const name = $("person-name").value.trim();
-  savePeople("/api/people", { name, role: $("person-role").value, passphrase: $("person-passphrase").value },
-    `${name} may sign in as ${$("person-role").value}.`);
+  const role = $("person-role").value, add = name === changing ? "no" : "yes";
+  savePeople("/api/people", { name, role, passphrase: $("person-passphrase").value, add },
+    role === "editor" ? `${name} may do everything on this page.` : `${name} may do the desk’s work on this page.`);
 });
 
 $("own").addEventListener("click", () => {
@@ -337,7 +345,8 @@ $("passphrase-form").addEventListener("submit", async (event) => {
   event.preventDefault();
   try {
     await ask("/api/passphrase", { old: $("passphrase-old").value, new: $("passphrase-new").value });
-    $("passphrase").close();
+    $("passphrase-form").reset();
+    $("passphrase-words").textContent = "It is changed.";
   } catch (error) {
     tell($("passphrase-words"), error);
   }
@@ -345,7 +354,11 @@ $("passphrase-form").addEventListener("submit", async (event) => {
 
 // ---- Which part is shown
 
-const part = () => (PARTS.includes(location.hash.slice(1)) ? location.hash.slice(1) : "now");
+const part = () => {
+  const wanted = location.hash.slice(1);
+  const open = PARTS.includes(wanted) && (wanted !== "people" || state === null || state.role === "editor");
+  return open ? wanted : "now";
+};
 
 function showPart() {
   for (const section of document.querySelectorAll("[data-part]")) section.hidden = section.dataset.part !== part();
@@ -367,6 +380,7 @@ addEventListener("hashchange", () => { showPart(); $("content").focus({ preventS
 
 $("leave").addEventListener("click", async () => {
   try {
+    sessionStorage.removeItem("why");
     await ask("/api/leave", {});
   } finally {
     location.replace("/");

@@ -90,6 +90,7 @@ TEST_F(PeopleTest, NamesAndPassphrasesThatCannotBeAreRefusedAndNothingIsWritten)
   EXPECT_EQ(
       people.set("maria", Role::desk, std::string(People::kLongest + 1, 'x')).error().exit_code, 2);
   EXPECT_FALSE(fs::exists(state_ / "people"));
+  EXPECT_EQ(people.set("maria", Role::desk, "도자기").error().exit_code, 2) << "three letters";
   EXPECT_TRUE(people.set("maria", Role::desk, std::string(People::kShortest, 'x')));
   EXPECT_TRUE(people.set("joon", Role::desk, std::string(People::kLongest, 'x')));
 }

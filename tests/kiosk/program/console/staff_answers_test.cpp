@@ -376,6 +376,23 @@ TEST_F(StaffPage, WhoIsRemovedOrGetsAnotherRoleIsSignedOut) {
     EXPECT_EQ(get("/api/state").status, 401) << remove;
   }
   EXPECT_EQ(enter("maria", "a passphrase of maria").status, 401);
+  // By another program, or a hand with an editor.
+  cookie_ = editor;
+  ASSERT_EQ(add("joon", "editor").status, 200);
+  ASSERT_EQ(enter("joon", "a passphrase of joon").status, 200);
+  EXPECT_EQ(get("/api/state").status, 200);
+  std::ofstream(state_ / "people") << "\n";
+  EXPECT_EQ(get("/api/state").status, 401);
+}
+
+TEST_F(StaffPage, ANameThatIsTakenIsNotGivenAgainByMistake) {
+  ASSERT_EQ(add("maria", "desk").status, 200);
+  EXPECT_EQ(
+      post("/api/people",
+           R"({"name": "maria", "role": "editor", "passphrase": "123456789012", "add": "yes"})")
+          .status,
+      409);
+  EXPECT_EQ(enter("maria", "a passphrase of maria").status, 200);
 }
 
 TEST_F(StaffPage, AWrongPassphraseSlowsTheNextDownAndLocksNobodyOut) {

@@ -109,6 +109,7 @@ class StaffPage(unittest.TestCase):
             page.wait("!!document.querySelector('#lines li')")
         with self.page() as page:
             page.go(self.way_in)
+            self.assertIn("not good any more", self.text(page, "#said"))
             page.wait("document.getElementById('other').open", "how to come in")
             self.assertIn("behind this page", self.text(page, "main"))
 
@@ -181,7 +182,7 @@ class StaffPage(unittest.TestCase):
             page.wait("document.querySelector('#lines').innerText.includes('stopped without being closed')", "it crashed")
             self.console.terminate()
             page.wait("!document.getElementById('lost').hidden", "the program is gone")
-            self.assertIn("Start onggi-console again", self.text(page, "#lost"))
+            self.assertIn("start onggi-console again", self.text(page, "#lost"))
 
     def test_the_first_editor_comes_by_a_code_and_gives_the_desk_a_name(self):
         def write(page, **values):
@@ -225,7 +226,8 @@ class StaffPage(unittest.TestCase):
             page.tap("#own")
             write(page, passphrase_old="the passphrase of maria", passphrase_new="my own passphrase")
             page.tap("#passphrase-form button")
-            page.wait("!document.getElementById('passphrase').open", "it is changed")
+            page.wait("document.getElementById('passphrase-words').innerText === 'It is changed.'", "it is changed")
+            page.tap("#passphrase-close")
             page.tap("#leave")
             page.wait("!!document.getElementById('enter')", "she is out")
             page.wait("!document.getElementById('enter').hidden")
