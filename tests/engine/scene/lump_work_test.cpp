@@ -163,6 +163,54 @@ TEST(LumpWork, ACutLongerThanAStepIsTakenBackWholeStepByStep) {
   EXPECT_NEAR(scene.clay().volume() / lump, 1.0, 1e-8);
 }
 
+// Clay that is wet goes on sagging after an undo, and a cut begins in the middle of it.
+TEST(LumpWork, ACutThatBeginsWhileUndoneClaySagsIsTakenBackToTheFreshLump) {
+  SceneDef def;
+  def.clay.rows = 60;
+  def.clay.sectors = 48;
+  def.volume.emplace();
+  def.smoothing.emplace();
+  def.slump.emplace().yield_stress = 9000.0;
+  def.moisture.emplace().weakening = 0.05;
+  Scene scene = std::move(*Scene::create(def));
+  const double lump = scene.clay().volume(), rim = scene.clay().rim_height();
+  Hands hands;
+  hands.wheel_speed = 15.0;
+  const auto run = [&](double seconds) {
+    for (int t = 0; t < static_cast<int>(seconds * 1000); ++t, hands.restore = false)
+      scene.step(hands, 0.001);
+  };
+  hands.hand[0] = {.position = {0.058, 0.1, 0.0}, .active = true, .side = SideWish::outside};
+  hands.water = true;
+  run(2.0);
+  hands.water = hands.hand[0].active = false;
+  run(1.0);
+  hands.restore = true;
+  run(0.5);
+  ASSERT_LT(scene.clay().rim_height(), 0.99 * rim) << "it sags";
+  ASSERT_TRUE(scene.can_restore()) << "and can be put up";
+  for (std::uint8_t n = 0; n < scene.def().tools.size(); ++n)
+    if (scene.def().tools[n].name == "loop_trimmer") hands.hand[0].tool = n + 1;
+  hands.hand[0].active = true;
+  hands.hand[0].position = {0.054, 0.08, 0.0};
+  run(1.5);
+  hands.hand[0].active = false;
+  ASSERT_LT(scene.clay().volume(), 0.999 * lump);
+  run(0.6);
+  int undone = 0;
+  for (; undone < 10; ++undone) {
+    hands.restore = true;
+    scene.step(hands, 0.001);
+    hands.restore = false;
+    while (scene.laying()) scene.step(hands, 0.001);
+    if (!scene.can_restore()) break;
+    scene.step(hands, 0.001);
+  }
+  EXPECT_LT(undone, 3);
+  EXPECT_NEAR(scene.clay().volume() / lump, 1.0, 1e-8);
+  EXPECT_NEAR(scene.clay().rim_height(), rim, 1e-9);
+}
+
 // A rim that is pressed gets its girth some ticks later: what was on its way comes all the same.
 TEST(LumpWork, WhatAPressedRimWasStillOwedComesToTheClayThatIsTakenBack) {
   SceneDef def;
