@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "kiosk/ground/web/server.h"
+#include "kiosk/keepsake/phone/answers.h"
+#include "kiosk/keepsake/souvenir/open_passes.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "tests/kiosk/ground/files/disk.h"
 #include "tests/kiosk/keepsake/phone/phone_client.h"

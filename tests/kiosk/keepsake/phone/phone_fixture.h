@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kiosk/ground/web/server.h"
+#include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "tests/kiosk/ground/files/disk.h"
 #include "tests/kiosk/keepsake/phone/phone_client.h"
