@@ -95,18 +95,30 @@ TEST_F(PeopleTest, NamesAndPassphrasesThatCannotBeAreRefusedAndNothingIsWritten)
   EXPECT_TRUE(people.set("joon", Role::desk, std::string(People::kLongest, 'x')));
 }
 
-TEST_F(PeopleTest, AreAllThereWhereTwoProgramsAddThemAtOnce) {
-  open();
-  constexpr int kEach = 8;
+// Three programs at once, none of which writes over what another has just written.
+TEST_F(PeopleTest, WhatSeveralProgramsChangeAtOnceIsAllChanged) {
+  constexpr int kEach = 40;
+  const std::vector<std::string> whose{"a", "b", "c"};
+  {
+    People people = open();
+    ASSERT_TRUE(people.set("a0", Role::desk, "three wet sponges"));
+    const std::string line = files::test::content(state_ / "people");
+    std::ofstream file(state_ / "people");
+    for (const std::string& who : whose)
+      for (int n = 0; n < kEach; ++n) file << who << n << line.substr(2);
+  }
+  ASSERT_EQ(open().all()->size(), whose.size() * kEach);
   std::vector<std::thread> programs;
-  for (const char* who : {"a", "b", "c"})
-    programs.emplace_back([this, who] {
+  for (const std::string& who : whose)
+    programs.emplace_back([this, &who] {
       People people = open();
       for (int n = 0; n < kEach; ++n)
-        EXPECT_TRUE(people.set(who + std::to_string(n), Role::desk, "three wet sponges"));
+        EXPECT_TRUE(people.set(who + std::to_string(n), Role::editor, ""));
     });
   for (std::thread& one : programs) one.join();
-  EXPECT_EQ(open().all()->size(), 3u * kEach);
+  const auto all = *open().all();
+  EXPECT_EQ(all.size(), whose.size() * kEach);
+  for (const Person& one : all) EXPECT_EQ(one.role, Role::editor) << one.name;
 }
 
 TEST_F(PeopleTest, AFileThatIsDamagedLetsNobodyInAndSaysWhichLine) {
