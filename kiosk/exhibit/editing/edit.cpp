@@ -8,10 +8,11 @@
 #include <optional>
 #include <span>
 
+#include "kiosk/collection/changes/draft.h"
+#include "kiosk/collection/changes/typed_value.h"
 #include "kiosk/exhibit/composition/file_kind.h"
 #include "kiosk/exhibit/editing/edit_check.h"
 #include "kiosk/exhibit/editing/file_fields.h"
-#include "kiosk/exhibit/editing/typed_value.h"
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/durable_steps.h"
 #include "kiosk/ground/toml/toml_reader.h"
@@ -22,48 +23,10 @@ namespace onggi::editing {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A text with some values set, and what they were.
-struct Draft {
-  std::string text;
-  std::vector<ChangedValue> values;
-  bool restarts_console = false;
-};
-
-/// Sets one value of `draft`.
-Result<void> set_one(Draft& draft, const fs::path& file, const fields::FieldList* list,
-                     const std::string& key, const std::string& typed) {
-  const std::string name = file.string();
-  const toml::TomlPlaces places(draft.text);
-  const auto found = typed_key(draft.text, places, key, name);
-  if (!found) return tl::unexpected(found.error());
-  const fields::Field* field = list == nullptr ? nullptr : fields::find_field(*list, found->names);
-  if (list != nullptr && field == nullptr)
-    return problem(name, toml::key_text(found->names) + " is not a key of this file.",
-                   fields::right_key(*list, toml::key_text(found->names)));
-  std::string was;
-  if (const toml::TomlPlaces::Value* old = places.value(found->path))
-    was = draft.text.substr(old->begin, old->end - old->begin);
-  const auto value = typed_value(typed, field, was, name + ", " + found->shown);
-  if (!value) return tl::unexpected(value.error());
-  if (*value == was) return {};
-  const auto done = toml::with_value(draft.text, found->path, *value, name);
-  if (!done) return tl::unexpected(done.error());
-  draft.text = done->text;
-  draft.values.push_back({found->shown, was, *value, done->added ? done->is : ""});
-  draft.restarts_console = draft.restarts_console || (field != nullptr && field->restarts_console);
-  return {};
-}
-
-/// "file:line:", where `key` of `text` stands.
-std::string line_of_key(const std::string& text, const fs::path& file, const std::string& key) {
-  const toml::TomlPlaces places(text);
-  const auto found = typed_key(text, places, key, "");
-  const toml::TomlPlaces::Value* value = found ? places.value(found->path) : nullptr;
-  if (value == nullptr) return "";
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(value->begin);
-  return file.string() + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) + ":";
-}
+using changes::ChangedValue;
+using changes::Draft;
+using changes::Revision;
+using changes::Revisions;
 
 /// The Problem of a change that is refused: the fault of a value itself comes first. A line that
 /// was only thought of cannot be looked at, so its key is named.
@@ -71,7 +34,7 @@ Problem refusal(const std::vector<Problem>& faults, const fs::path& file, const 
   Problem out = faults.front();
   const ChangedValue* of = nullptr;
   for (const ChangedValue& value : draft.values) {
-    const std::string line = line_of_key(draft.text, file, value.key);
+    const std::string line = changes::line_of_key(draft.text, file.string(), value.key);
     const auto own = std::ranges::find_if(faults, [&line](const Problem& fault) {
       return !line.empty() && fault.where.starts_with(line);
     });
@@ -118,7 +81,7 @@ Result<void> replace(const fs::path& file, const std::string& before, const std:
   if (*now != before)
     return problem(file.string(),
                    "Somebody else changed this file at the same moment. So nothing was changed.",
-                   "Look at the file, and try again.", 1);
+                   "Look at the file, and try again.", kAnotherFile);
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
   if (!error) remove_leftovers(real);
@@ -134,8 +97,15 @@ std::optional<std::string> put_back(const Revision& revision, const std::string&
   std::string text = now;
   for (auto value = revision.values.rbegin(); value != revision.values.rend(); ++value) {
     const toml::TomlPlaces places(text);
-    const auto key = typed_key(text, places, value->key, "");
+    const auto key = changes::typed_key(text, places, value->key, "");
     const toml::TomlPlaces::Value* there = key ? places.value(key->path) : nullptr;
+    if (value->is.empty()) {  // it was taken out
+      if (!key || there != nullptr) return std::nullopt;
+      auto back = toml::with_value(text, key->path, value->was, "");
+      if (!back) return std::nullopt;
+      text = std::move(back->text);
+      continue;
+    }
     if (there == nullptr || text.substr(there->begin, there->end - there->begin) != value->is)
       return std::nullopt;
     if (!value->was.empty()) {
@@ -162,18 +132,24 @@ Result<Revision> newest_of(const Revisions& revisions) {
 
 }  // namespace
 
-Result<Edited> set_values(const fs::path& file,
-                          const std::vector<std::pair<std::string, std::string>>& changes) {
+Result<Edited> set_values(const fs::path& file, const std::vector<changes::Change>& changes,
+                          const std::string& tag) {
   const auto before = toml::read_toml_text(file);
   if (!before) return tl::unexpected(before.error());
+  if (!tag.empty() && tag != changes::tag_of(*before))
+    return problem(file.string(),
+                   "Somebody else has changed this file since you looked at it. So nothing was "
+                   "changed.",
+                   "Look at it again, and make your change once more.", kAnotherFile);
   if (const toml::TomlReader reader = toml::TomlReader::of_text(*before, file.string());
       !reader.ok())
     return tl::unexpected(reader.problems().front());
   const fields::FieldList* list = fields_of(exhibit::kind_of_toml(file));
   Draft draft{*before, {}, false};
-  for (const auto& [key, value] : changes)
-    if (auto set = set_one(draft, file, list, key, value); !set) return tl::unexpected(set.error());
-  Edited out{revision_of(*before, draft.text), draft.restarts_console};
+  for (const changes::Change& change : changes)
+    if (auto made = changes::make_change(draft, list, change, file.string()); !made)
+      return tl::unexpected(made.error());
+  Edited out{changes::revision_of(*before, draft.text), draft.restarts_console};
   if (draft.text == *before) return out;
   if (const auto faults = new_faults(file, draft.text); !faults.empty())
     return tl::unexpected(refusal(faults, file, draft));
@@ -212,7 +188,7 @@ Result<Undone> undo(const fs::path& file) {
     return problem(newest->file.string(),
                    "This file was changed by hand after " + newest->when +
                        ", and what was set then does not stand there any more: " +
-                       words_of(*newest) + ". So nothing was changed.",
+                       changes::words_of(*newest) + ". So nothing was changed.",
                    "Set the value that you want: onggi set FILE KEY VALUE. To go on to the change "
                    "before: onggi undo --forget, then onggi undo.");
   if (auto faults = new_faults(newest->file, *old); !faults.empty()) {

@@ -2,31 +2,34 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/base/result.h"
-#include "kiosk/exhibit/editing/revisions.h"
+#include "kiosk/collection/changes/revisions.h"
 
 namespace onggi::editing {
 
 /// What set_values() did.
 struct Edited {
-  Revision revision;              ///< With no values if the file had them all already.
+  changes::Revision revision;     ///< With no values if the file had them all already.
   bool restarts_console = false;  ///< onggi-console must be started again.
 };
 
-/// Sets each key (first) of `file` to a value (second), both as a person types them, in one step:
-/// all of them or none. Every other byte of the file stays. What `onggi check` would find wrong is
-/// refused, and nothing is written. The change is kept as a revision. Kill the process at any
-/// point, and the file is the old one or the new one, whole.
-/// Problem: exit 2 for a wrong key or value, 1 for what the disk does not allow.
+/// Set where the file is not the one that a change was meant for.
+inline constexpr int kAnotherFile = 3;
+
+/// Makes `changes` in `file`, in one step: all of them or none. Every other byte of the file stays.
+/// What `onggi check` would find wrong is refused, and nothing is written. The change is kept as a
+/// revision. Kill the process at any point, and the file is the old one or the new one, whole.
+/// `tag`: of the file that the changes are meant for (changes::tag_of()), so that nobody's work is
+/// overwritten unseen; "": any. Problem: exit 2 for a wrong key or value, kAnotherFile for another
+/// tag, 1 for what the disk does not allow.
 Result<Edited> set_values(const std::filesystem::path& file,
-                          const std::vector<std::pair<std::string, std::string>>& changes);
+                          const std::vector<changes::Change>& changes, const std::string& tag = "");
 
 /// What undo() did.
 struct Undone {
-  Revision revision;
+  changes::Revision revision;
   bool kept_others = false;  ///< The file had changed since, and that stays.
 };
 
@@ -37,6 +40,6 @@ struct Undone {
 Result<Undone> undo(const std::filesystem::path& file);
 
 /// Forgets the newest revision, and leaves its file as it is.
-Result<Revision> forget_newest(const std::filesystem::path& file);
+Result<changes::Revision> forget_newest(const std::filesystem::path& file);
 
 }  // namespace onggi::editing

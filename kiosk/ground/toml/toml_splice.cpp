@@ -210,6 +210,28 @@ bool only_differs(const std::string& before, const std::string& after, const Pat
   return *old == *fresh;
 }
 
+/// True if the two documents differ in nothing but the value at `path`, which the second lacks.
+bool only_lacks(const std::string& before, const std::string& after, const Path& path) {
+  auto old = parsed(before), fresh = parsed(after);
+  if (!old || !fresh || node_at(*fresh, path) != nullptr) return false;
+  Path above(path.begin(), path.end() - 1);
+  const bool kept_empty = node_at(*fresh, above) != nullptr;
+  take_away(*old, path);
+  // An element of a list, or a table with a comment of its own, stays without anything in it.
+  if (kept_empty) take_away(*fresh, path);
+  return *old == *fresh;
+}
+
+/// True if nothing is written below `header` but the value at `path`, so that its line goes too.
+bool is_alone_below(const TomlPlaces& places, std::size_t header, const Path& path) {
+  const Path& table = places.headers()[header].path;
+  if (table.empty() || (table.size() > 1 && places.elements({table.begin(), table.end() - 1}) > 0))
+    return false;
+  return std::ranges::none_of(places.values(), [&](const TomlPlaces::Value& value) {
+    return value.header == header && !begins_with(value.path, path);
+  });
+}
+
 }  // namespace
 
 Result<Spliced> with_value(const std::string& text, const Path& path, const std::string& value,
@@ -242,6 +264,37 @@ Result<Spliced> with_value(const std::string& text, const Path& path, const std:
   return no_place("The key " + key_text(path) + " cannot stand in this file.",
                   "A table or another value stands in its place, or a [[list]] lacks that element. "
                   "Change the file in an editor.");
+}
+
+Result<Spliced> without_value(const std::string& text, const Path& path, const std::string& name) {
+  if (const TomlReader reader = TomlReader::of_text(text, name); !reader.ok())
+    return tl::unexpected(reader.problems().front());
+  const TomlPlaces places(text);
+  const TomlPlaces::Value* value = places.value(path);
+  Spliced out{text, 0, {}, {}, false};
+  if (value == nullptr) return out;
+  const auto line_begin = [&text](std::size_t at) {
+    const std::size_t end = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+    return end == std::string::npos ? 0 : end + 1;
+  };
+  const std::size_t top = places.headers().front().begin;  // behind a byte order mark
+  const std::size_t begin = std::max(line_begin(value->statement), top),
+                    end = behind_line(text, value->end);
+  out.at = begin;
+  out.was = text.substr(begin, end - begin);
+  out.text.erase(begin, end - begin);
+  if (is_alone_below(places, value->header, path)) {
+    const TomlPlaces::Header& header = places.headers()[value->header];
+    // The empty line above it goes too: with_value() writes one there.
+    const std::size_t above = line_begin(header.begin == top ? top : header.begin - 1);
+    const bool empty = header.begin > top && text.find_first_not_of("\r\n", above) >= header.begin;
+    out.at = empty ? above : header.begin;
+    out.text.erase(out.at, header.behind - out.at);
+  }
+  if (only_lacks(text, out.text, path)) return out;
+  return problem(name, "The key " + key_text(path) + " cannot be taken out of this file.",
+                 "It stands within {...}, or others stand in its line. Change the file in an "
+                 "editor.");
 }
 
 bool is_value(const std::string& text) {

@@ -12,7 +12,7 @@ namespace onggi::toml {
 /// A TOML text with one value changed.
 struct Spliced {
   std::string text;     ///< All of it.
-  std::size_t at = 0;   ///< The first byte that differs.
+  std::size_t at = 0;   ///< Where the change begins.
   std::string was, is;  ///< What stood there, and what stands there now.
   bool added = false;   ///< The key was absent.
 };
@@ -26,6 +26,11 @@ struct Spliced {
 /// `text` or `value` is no TOML, or the value cannot stand there. Allocates; any thread.
 Result<Spliced> with_value(const std::string& text, const Path& path, const std::string& value,
                            const std::string& name);
+
+/// `text` without the value at `path`: its statement goes with the comment behind it, and the
+/// [table] line that would stand above nothing. All else stays. Nothing changes where there is no
+/// such value. Problem, called `name`, where `text` is no TOML or the value stands within {...}.
+Result<Spliced> without_value(const std::string& text, const Path& path, const std::string& name);
 
 /// True if `text` is one TOML value, and nothing else.
 bool is_value(const std::string& text);

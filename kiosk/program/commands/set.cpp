@@ -1,11 +1,16 @@
+#include <cstddef>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/base/plain_text.h"
 #include "kiosk/exhibit/editing/edit.h"
+#include "kiosk/collection/changes/draft.h"
+#include "kiosk/ground/files/json.h"
+#include "kiosk/ground/files/output.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/program/commands/commands.h"
 
@@ -13,16 +18,17 @@ namespace onggi::commands {
 
 namespace {
 
+using files::Json;
+
 struct SetArguments {
-  std::string file;
+  std::string file, without, tag;
+  files::Output json{files::Output::Kind::json};
   std::vector<std::string> words;
 };
 
-Result<int> set(const SetArguments& arguments) {
-  const auto file = files::exhibit_file(arguments.file);
-  if (!file) return tl::unexpected(file.error());
+Result<std::vector<changes::Change>> changes_of(const SetArguments& arguments) {
   const auto& words = arguments.words;
-  if (words.empty())
+  if (words.empty() && arguments.without.empty())
     return problem(
         "onggi set", "No key is named.",
         "Name a key and its value: onggi set " + arguments.file + " idle.warn_after 90.");
@@ -30,11 +36,41 @@ Result<int> set(const SetArguments& arguments) {
     return problem("onggi set", "The key " + words.back() + " has no value.",
                    "Write a value behind each key; one with spaces in quotes: "
                    "onggi set config/exhibit.toml credit 'Museum of Clay'.");
-  std::vector<std::pair<std::string, std::string>> changes;
-  for (std::size_t n = 0; n < words.size(); n += 2) changes.emplace_back(words[n], words[n + 1]);
-  auto done = editing::set_values(*file, changes);
+  std::vector<changes::Change> changes;
+  for (std::size_t n = 0; n < words.size(); n += 2) changes.push_back({words[n], words[n + 1]});
+  std::istringstream without(arguments.without);
+  for (std::string key; std::getline(without, key, ',');) changes.push_back({key, std::nullopt});
+  return changes;
+}
+
+/// For programs, such as the staff's page.
+Result<int> answer(const SetArguments& arguments, const Result<editing::Edited>& done) {
+  Json out = Json::object({{"done", done.has_value()}});
+  if (done) {
+    Json changes = Json::list();
+    for (const changes::ChangedValue& value : done->revision.values)
+      changes.push_back(Json::object({{"key", value.key}, {"was", value.was}, {"is", value.is}}));
+    out["changes"] = changes;
+    out["restarts_console"] = done->restarts_console;
+  } else {
+    out["another_file"] = done.error().exit_code == editing::kAnotherFile;
+    out["where"] = done.error().where;
+    out["what"] = done.error().what;
+    out["remedy"] = done.error().remedy;
+  }
+  if (auto put = arguments.json.write(out.text() + "\n"); !put) return tl::unexpected(put.error());
+  return done ? 0 : done.error().exit_code;
+}
+
+Result<int> set(const SetArguments& arguments) {
+  const auto file = files::exhibit_file(arguments.file);
+  if (!file) return tl::unexpected(file.error());
+  const auto changes = changes_of(arguments);
+  if (!changes) return tl::unexpected(changes.error());
+  auto done = editing::set_values(*file, *changes, arguments.tag);
+  if (arguments.json.wanted()) return answer(arguments, done);
   if (!done) {
-    if (changes.size() > 1 && done.error().what.ends_with("is not a key of this file."))
+    if (changes->size() > 1 && done.error().what.ends_with("is not a key of this file."))
       done.error().remedy += " A value with spaces stands in quotes: 'Museum of Clay'.";
     return tl::unexpected(done.error());
   }
@@ -43,8 +79,8 @@ Result<int> set(const SetArguments& arguments) {
     std::cout << name << ": it is so already. Nothing was changed.\n";
     return 0;
   }
-  for (const editing::ChangedValue& value : done->revision.values)
-    std::cout << name << ": " << terminal::plain(change_words(value)) << '\n';
+  for (const changes::ChangedValue& value : done->revision.values)
+    std::cout << name << ": " << terminal::plain(changes::change_words(value)) << '\n';
   if (done->restarts_console) std::cout << "Start onggi-console again, so that it sees this.\n";
   std::cout << "An open kiosk takes it up when no visitor is there. To take it back: onggi undo\n";
   return 0;
@@ -61,6 +97,7 @@ cli::Command set_command() {
               "         onggi set config/exhibit.toml credit 'Museum of Clay'\n"
               "         onggi set config/exhibit.toml languages en,ko,fr title.fr 'Un pot'\n"
               "         onggi set content/missions.toml mission.litre_jar.on true\n"
+              "         onggi set --without hours.monday config/exhibit.toml\n"
               "The result is checked first, as by onggi check, and a fault changes nothing.",
           .options = {{.name = "file",
                        .field = &a->file,
@@ -70,7 +107,18 @@ cli::Command set_command() {
                        .field = &a->words,
                        .help = "the key with its tables (idle.warn_after; an element of a list by "
                                "its id or number: step.open.after), and its value; more keys and "
-                               "values are set in the same step"}},
+                               "values are set in the same step"},
+                      {.name = "--without",
+                       .field = &a->without,
+                       .help = "Take these keys out of the file, so that their defaults hold; "
+                               "commas between them"},
+                      {.name = "--if",
+                       .field = &a->tag,
+                       .help = "Only if the file is still the one with this tag (of a page)",
+                       .hidden = true},
+                      {.name = "--json",
+                       .field = &a->json,
+                       .help = "Tell what was done as JSON, for programs; - : standard output"}},
           .run = [a] { return set(*a); }};
 }
 

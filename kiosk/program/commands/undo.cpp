@@ -27,11 +27,11 @@ std::string indented(const std::string& words) {
 }
 
 Result<int> list(const std::filesystem::path& exhibit) {
-  const editing::Revisions revisions(exhibit);
+  const changes::Revisions revisions(exhibit);
   const auto all = revisions.read();
   if (all.empty()) std::cout << "Nothing was changed by onggi set, so there is nothing to undo.\n";
   int number = 0;
-  for (const editing::Revision& revision : all)
+  for (const changes::Revision& revision : all)
     std::cout << ++number << ". " << terminal::plain(revision.when) << "  "
               << terminal::plain(revision.file.string()) << '\n'
               << indented(words_of(revision)) << '\n';
@@ -52,9 +52,9 @@ Result<int> undo(const UndoArguments& arguments) {
   }
   const auto done = editing::undo(*exhibit);
   if (!done) return tl::unexpected(done.error());
-  for (const editing::ChangedValue& value : done->revision.values)
+  for (const changes::ChangedValue& value : done->revision.values)
     std::cout << terminal::plain(done->revision.file.string()) << ": "
-              << terminal::plain(undo_words(value, done->revision.when)) << '\n';
+              << terminal::plain(changes::undo_words(value, done->revision.when)) << '\n';
   if (done->kept_others) std::cout << "What was changed by hand since then stays.\n";
   return 0;
 }

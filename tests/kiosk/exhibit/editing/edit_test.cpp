@@ -6,6 +6,10 @@
 #include <sys/mount.h>
 #include <sys/stat.h>
 
+#include <cmath>
+#include <random>
+
+#include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/ground/files/durable_steps.h"
 #include "tests/kiosk/exhibit/editing/small_site.h"
 #include "tests/kiosk/ground/files/disk.h"
@@ -14,15 +18,17 @@ namespace onggi::editing::edit_test {
 namespace {
 
 using namespace test;
+using changes::Revisions;
 using files::test::in_child;
 using files::test::names_in;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const char* const kExhibit = "config/exhibit.toml";
 
 Result<Edited> set(const SmallSite& site, const std::string& key, const std::string& value) {
-  return set_values(site.exhibit(), {{key, value}});
+  return set_values(site.exhibit(), {{.key = key, .value = value}});
 }
 
 /// Expects `done` to be refused with `what`, and the site to be as `before`.
@@ -179,7 +185,7 @@ TEST(edit, of_other_files_of_the_exhibit_is_checked_with_all_of_it) {
   EXPECT_EQ(site.texts(), before);
   const auto refused = [&](const char* file, const char* key, const char* value, const char* what) {
     SCOPED_TRACE(key);
-    expect_refused(set_values(site / file, {{key, value}}), what, site, before);
+    expect_refused(set_values(site / file, {{.key = key, .value = value}}), what, site, before);
   };
   refused("content/missions.toml", "mission.litre_jar.kind", "descrbe", "descrbe");
   refused("content/lessons/first_minute.toml", "step.opne.after", "20", "Did you mean step.open?");
@@ -237,6 +243,99 @@ TEST(edit, keeps_permissions_and_links) {
   EXPECT_EQ(info.st_mode & 07777u, 0640u);
   ASSERT_TRUE(undo(site.exhibit()));
   EXPECT_THAT(content(site / "config/real.toml"), HasSubstr("warn_after = 60 "));
+}
+
+TEST(edit, takes_a_value_out_and_undo_puts_it_back_also_beside_what_a_hand_changed) {
+  const SmallSite site;
+  const std::string before = content(site.exhibit());
+  const std::vector<changes::Change> away = {{"idle.countdown", std::nullopt}, {"credit", "Clay"}};
+  const auto done = set_values(site.exhibit(), away);
+  ASSERT_TRUE(done) << to_text(done.error());
+  EXPECT_THAT(content(site.exhibit()), Not(HasSubstr("countdown")));
+  EXPECT_EQ(change_words(done->revision.values.at(0)),
+            "idle.countdown is not written any more. It was 25.");
+  ASSERT_TRUE(undo(site.exhibit()));
+  EXPECT_EQ(content(site.exhibit()), before);
+
+  ASSERT_TRUE(set_values(site.exhibit(), away));
+  site.by_hand(kExhibit, "warn_after = 60 ", "warn_after = 70 ");
+  const auto undone = undo(site.exhibit());
+  ASSERT_TRUE(undone) << to_text(undone.error());
+  EXPECT_TRUE(undone->kept_others);
+  const settings::Exhibit now = settings::read_exhibit(site.exhibit()).exhibit;
+  EXPECT_EQ(now.idle.countdown, 25);
+  EXPECT_EQ(now.idle.warn_after, 70);
+  EXPECT_EQ(now.credit, "Onggi");
+}
+
+// Two browsers and a hand with a text editor, each counting in the same value: whoever writes has
+// seen what was written before.
+class Counting {
+ public:
+  Counting() {
+    fs::create_directories(folder_ / "devices");
+    std::ofstream(file()) << "# of a hand\nlifts_after = 0.1\n";
+  }
+  fs::path file() const { return folder_ / "devices/space_mouse.toml"; }
+  int count() const {
+    const std::string text = content(file());
+    return static_cast<int>(std::lround(1000 * std::stod(text.substr(text.find('=') + 1)))) - 100;
+  }
+  /// What a browser shows: the count, and the file's tag.
+  std::pair<int, std::string> seen() const { return {count(), changes::tag_of(content(file()))}; }
+  static std::string written(int count) { return std::to_string(0.1 + 0.001 * count); }
+  bool set(const std::pair<int, std::string>& seen) const {
+    const auto done = set_values(file(), {{"lifts_after", written(seen.first + 1)}}, seen.second);
+    if (!done) {
+      EXPECT_EQ(done.error().exit_code, kAnotherFile) << to_text(done.error());
+    }
+    return done.has_value();
+  }
+  void by_hand() const {
+    const std::string text = "# of a hand\nlifts_after = " + written(count() + 1) + "\n";
+    std::ofstream(file()) << text;
+  }
+
+ private:
+  const files::test::ScratchFolder folder_;
+};
+
+const Counting* counted = nullptr;
+int hands_counts = 0;
+
+TEST(edit, of_two_browsers_and_a_hand_loses_nobodys_change) {
+  const Counting counting;
+  counted = &counting;
+  hands_counts = 0;
+  std::mt19937 random(46);
+  std::array<std::pair<int, std::string>, 2> browser{counting.seen(), counting.seen()};
+  int accepted = 0, refused = 0;
+  constexpr int kSteps = 10'000;
+  for (int step = 0; step < kSteps; ++step) {
+    auto& one = browser.at(random() % 2);
+    switch (random() % 4) {
+      case 0:
+        one = counting.seen();
+        break;
+      case 1:
+        counting.by_hand();
+        ++hands_counts;
+        break;
+      case 2:  // while it is written
+        files::watch_steps([](std::string_view done) {
+          if (done != "revision kept") return;
+          counted->by_hand();
+          ++hands_counts;
+        });
+        [[fallthrough]];
+      default:
+        counting.set(one) ? ++accepted : ++refused;
+        files::watch_steps(nullptr);
+    }
+    ASSERT_EQ(counting.count(), accepted + hands_counts) << step;
+  }
+  EXPECT_GT(accepted, kSteps / 40);
+  EXPECT_GT(refused, kSteps / 40);
 }
 
 // The folder of settings becomes a disk of its own, without room or without rights.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "kiosk/ground/toml/toml_reader.h"
@@ -87,6 +88,33 @@ TEST(toml_splice, an_element_of_a_list_is_meant_by_its_number) {
   EXPECT_EQ(set(text, "s.2.words.en", "\"B\""), text + "words.en = \"B\"\n");
 }
 
+/// `text` without the value at `key`, or why not.
+std::string without(const std::string& text, const std::string& key) {
+  const Result<Spliced> done = without_value(text, path_of(key), "a.toml");
+  return done ? done->text : to_text(done.error());
+}
+
+TEST(toml_splice, a_value_is_taken_out_with_its_comment_and_an_empty_table) {
+  EXPECT_EQ(without("# top\n[t]\na = 1  # one\nb = 2\n", "t.a"), "# top\n[t]\nb = 2\n");
+  EXPECT_EQ(without("a = [\n 1,\n]\nb = 2", "a"), "b = 2");
+  EXPECT_EQ(without("a = 1\nb = 2", "b"), "a = 1\n");
+  EXPECT_EQ(without("a = 1\r\n\r\n[t]\r\nd = 4\r\n", "t.d"), "a = 1\r\n");
+  EXPECT_EQ(without("a = 1\n\n[t]\n# of d\nd = 4\n[u]\ne = 5\n", "t.d"),
+            "a = 1\n# of d\n[u]\ne = 5\n");
+  EXPECT_EQ(without("[t]\nd = 4\n\n[t.u]\ne = 5\n", "t.d"), "\n[t.u]\ne = 5\n");
+  EXPECT_EQ(without("t.a = 1\nb = 2\n", "t.a"), "b = 2\n");
+  EXPECT_EQ(without("[[s]]\na = 1\n[[s]]\nb = 2\n", "s.1.a"), "[[s]]\n[[s]]\nb = 2\n");
+  EXPECT_EQ(without("\xEF\xBB\xBF"
+                    "a = 1\nb = 2\n",
+                    "a"),
+            "\xEF\xBB\xBF"
+            "b = 2\n");
+  EXPECT_EQ(without("a = 1\n", "b"), "a = 1\n");
+  EXPECT_NE(without("t = { a = 1, b = 2 }\n", "t.a").find("cannot be taken out"),
+            std::string::npos);
+  EXPECT_NE(without("a = \n", "a").find("cannot be read as TOML"), std::string::npos);
+}
+
 TEST(toml_splice, what_cannot_stand_there_is_refused_in_words) {
   const auto refused = [](const char* text, const char* key, const char* value, const char* why) {
     const Result<Spliced> done = with_value(text, path_of(key), value, "a.toml");
@@ -168,6 +196,37 @@ TEST(toml_splice, every_value_that_ships_is_set_and_put_back_to_the_byte) {
       const auto back = with_value(there->text, old.path, was, file.string());
       ASSERT_TRUE(back) << file << key_text(old.path);
       EXPECT_EQ(back->text, text) << file << key_text(old.path);
+      ++values;
+    }
+  }
+  EXPECT_GT(values, 150);
+}
+
+// Each value of each file: taken out, its lines are gone and no others but its table's own.
+TEST(toml_splice, every_value_that_ships_is_taken_out_and_nothing_else) {
+  std::mt19937 random(47);
+  int values = 0;
+  for (const auto& file : test::real_files()) {
+    const std::string text = content(file);
+    const TomlPlaces places(text);
+    const std::size_t step = places.values().size() / 6 + 1;
+    for (std::size_t n = random() % step; n < places.values().size(); n += step) {
+      const TomlPlaces::Value& old = places.values()[n];
+      const bool in_braces = std::ranges::any_of(places.values(), [&](const auto& table) {
+        return &table != &old && table.begin < old.begin && old.end < table.end;
+      });
+      const auto gone = without_value(text, old.path, file.string());
+      ASSERT_EQ(gone.has_value(), !in_braces) << file << key_text(old.path);
+      if (in_braces) continue;
+      const TomlPlaces left(gone->text);
+      EXPECT_EQ(left.value(old.path), nullptr) << file << key_text(old.path);
+      for (const TomlPlaces::Value& other : places.values())
+        if (other.begin < old.begin || other.begin > old.end) {
+          const TomlPlaces::Value* there = left.value(other.path);
+          ASSERT_NE(there, nullptr) << file << key_text(other.path);
+          EXPECT_EQ(gone->text.substr(there->begin, there->end - there->begin),
+                    text.substr(other.begin, other.end - other.begin));
+        }
       ++values;
     }
   }

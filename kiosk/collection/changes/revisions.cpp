@@ -1,4 +1,4 @@
-#include "kiosk/exhibit/editing/revisions.h"
+#include "kiosk/collection/changes/revisions.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -22,7 +22,7 @@
 #include "kiosk/ground/toml/toml_splice.h"
 #include "kiosk/ground/toml/toml_text.h"
 
-namespace onggi::editing {
+namespace onggi::changes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,7 +72,7 @@ bool within_letter(const std::string& text, std::size_t at) {
 /// A value as it is told: a long one is cut.
 std::string cut(const std::string& value) {
   constexpr std::size_t kLongest = 120;
-  return toml::shown(value, kLongest);
+  return value.empty() ? "not written" : toml::shown(value, kLongest);
 }
 
 }  // namespace
@@ -109,14 +109,14 @@ Revision revision_of(const std::string& before, const std::string& after) {
 std::string words_of(const Revision& revision) {
   std::string out;
   for (const ChangedValue& value : revision.values)
-    out += (out.empty() ? "" : "\n") + value.key + ": " +
-           (value.was.empty() ? "not written" : cut(value.was)) + " -> " + cut(value.is);
+    out += (out.empty() ? "" : "\n") + value.key + ": " + cut(value.was) + " -> " + cut(value.is);
   return out;
 }
 
 std::string change_words(const ChangedValue& value) {
-  return value.key + " is " + cut(value.is) + " now. It was " +
-         (value.was.empty() ? "not written" : cut(value.was)) + ".";
+  return value.key +
+         (value.is.empty() ? " is not written any more" : " is " + cut(value.is) + " now") +
+         ". It was " + cut(value.was) + ".";
 }
 
 std::string undo_words(const ChangedValue& value, const std::string& when) {
@@ -242,4 +242,4 @@ void Revisions::tidy() const {
   for (std::size_t n = kKept; n < all.size(); ++n) fs::remove(all[n].kept_in, ignored);
 }
 
-}  // namespace onggi::editing
+}  // namespace onggi::changes

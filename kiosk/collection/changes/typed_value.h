@@ -6,7 +6,7 @@
 #include "kiosk/ground/fields/field.h"
 #include "kiosk/ground/toml/toml_places.h"
 
-namespace onggi::editing {
+namespace onggi::changes {
 
 /// A key as a person typed it: "idle.warn_after", "step.open.after" or "step.2.after".
 struct TypedKey {
@@ -27,4 +27,4 @@ Result<TypedKey> typed_key(const std::string& text, const toml::TomlPlaces& plac
 Result<std::string> typed_value(const std::string& typed, const fields::Field* field,
                                 const std::string& was, const std::string& name);
 
-}  // namespace onggi::editing
+}  // namespace onggi::changes

@@ -1,4 +1,4 @@
-#include "kiosk/exhibit/editing/revisions.h"
+#include "kiosk/collection/changes/revisions.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include "tests/kiosk/exhibit/editing/small_site.h"
 #include "tests/kiosk/ground/files/disk.h"
 
-namespace onggi::editing::revisions_test {
+namespace onggi::changes::revisions_test {
 namespace {
 
-using namespace test;
+using namespace editing::test;
 
 /// Keeps a change of `file` from `before` to `after`.
 void keep(const fs::path& file, const std::string& before, const std::string& after) {
@@ -137,4 +137,4 @@ TEST(revisions, are_locked_by_one_process_at_a_time) {
 }
 
 }  // namespace
-}  // namespace onggi::editing::revisions_test
+}  // namespace onggi::changes::revisions_test

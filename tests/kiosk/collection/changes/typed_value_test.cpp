@@ -1,22 +1,20 @@
-#include "kiosk/exhibit/editing/typed_value.h"
+#include "kiosk/collection/changes/typed_value.h"
 
 #include <gtest/gtest.h>
 
-namespace onggi::editing::typed_value_test {
+namespace onggi::changes::typed_value_test {
 namespace {
 
-using fields::Field;
-using fields::FieldKind;
-
 /// What is written for `typed`, or the Problem's words.
-std::string value(const std::string& typed, const Field* field, const std::string& was = "") {
+std::string value(const std::string& typed, const fields::Field* field,
+                  const std::string& was = "") {
   const auto done = typed_value(typed, field, was, "a.toml, key");
   return done ? *done : to_text(done.error());
 }
 
 TEST(typed_value, is_written_by_the_fields_kind) {
-  const Field text{.key = "t"}, list{.key = "l", .kind = FieldKind::list},
-      texts{.key = "n", .kind = FieldKind::texts};
+  const fields::Field text{.key = "t"}, list{.key = "l", .kind = fields::FieldKind::list},
+      texts{.key = "n", .kind = fields::FieldKind::texts};
   EXPECT_EQ(value("Museum of Clay", &text), "\"Museum of Clay\"");
   EXPECT_EQ(value("true", &text), "\"true\"");
   EXPECT_EQ(value("'raw'", &text), "'raw'");
@@ -29,9 +27,10 @@ TEST(typed_value, is_written_by_the_fields_kind) {
 }
 
 TEST(typed_value, of_another_kind_is_refused_with_what_to_write) {
-  const Field number{.key = "n", .kind = FieldKind::number, .least = 20, .most = 300, .unit = "s"},
-      whole{.key = "w", .kind = FieldKind::whole, .most = 9},
-      boolean{.key = "b", .kind = FieldKind::boolean};
+  const fields::Field number{
+      .key = "n", .kind = fields::FieldKind::number, .least = 20, .most = 300, .unit = "s"},
+      whole{.key = "w", .kind = fields::FieldKind::whole, .most = 9},
+      boolean{.key = "b", .kind = fields::FieldKind::boolean};
   EXPECT_EQ(
       value("soon", &number),
       "a.toml, key: \"soon\" is not a number.\n  Write a number from 20 to 300 s, without the "
@@ -71,4 +70,4 @@ TEST(typed_key, finds_elements_by_id_and_number_and_helps_with_a_slip) {
 }
 
 }  // namespace
-}  // namespace onggi::editing::typed_value_test
+}  // namespace onggi::changes::typed_value_test

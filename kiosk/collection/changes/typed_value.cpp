@@ -1,4 +1,4 @@
-#include "kiosk/exhibit/editing/typed_value.h"
+#include "kiosk/collection/changes/typed_value.h"
 
 #include <algorithm>
 #include <charconv>
@@ -10,10 +10,8 @@
 #include "kiosk/ground/toml/toml_splice.h"
 #include "kiosk/ground/toml/toml_text.h"
 
-namespace onggi::editing {
+namespace onggi::changes {
 namespace {
-
-using fields::FieldKind;
 
 std::string id_of(const std::string& text, const toml::TomlPlaces& places, toml::Path element) {
   element.push_back("id");
@@ -66,26 +64,28 @@ std::string list_of_texts(const std::string& typed) {
 }
 
 /// The kind of a value that is written; none where there is none.
-std::optional<FieldKind> kind_of(const std::string& was) {
+std::optional<fields::FieldKind> kind_of(const std::string& was) {
   if (was.empty()) return std::nullopt;
-  if (was[0] == '"' || was[0] == '\'') return FieldKind::text;
-  if (was == "true" || was == "false") return FieldKind::boolean;
-  if (was[0] != '[') return is_number(was, false) ? std::optional(FieldKind::number) : std::nullopt;
+  if (was[0] == '"' || was[0] == '\'') return fields::FieldKind::text;
+  if (was == "true" || was == "false") return fields::FieldKind::boolean;
+  if (was[0] != '[')
+    return is_number(was, false) ? std::optional(fields::FieldKind::number) : std::nullopt;
   const auto first = was.find_first_not_of("[ \t\r\n");
-  return first != std::string::npos && (was[first] == '"' || was[first] == '\'') ? FieldKind::texts
-                                                                                 : FieldKind::list;
+  return first != std::string::npos && (was[first] == '"' || was[first] == '\'')
+             ? fields::FieldKind::texts
+             : fields::FieldKind::list;
 }
 
-std::string what_to_write(FieldKind kind, const fields::Field* field) {
-  const std::string words = "Write " + fields::kind_words(kind);
-  if (kind == FieldKind::boolean) return words + ".";
-  const bool number = kind == FieldKind::whole || kind == FieldKind::number;
+std::string what_to_write(fields::FieldKind kind, const fields::Field* field) {
+  const std::string words = "Write " + kind_words(kind);
+  if (kind == fields::FieldKind::boolean) return words + ".";
+  const bool number = kind == fields::FieldKind::whole || kind == fields::FieldKind::number;
   if (number && field != nullptr && field->range.empty())
-    return words + " from " + fields::bounds_words(*field) +
+    return words + " from " + bounds_words(*field) +
            (field->unit.empty() ? "" : " " + field->unit) + ", without the unit" +
-           (kind == FieldKind::number ? ". A part of one has a point: 1.5." : ".");
-  if (field == nullptr || fields::allowed_range(*field).empty()) return words + ".";
-  return words + ": " + fields::allowed_range(*field) + ".";
+           (kind == fields::FieldKind::number ? ". A part of one has a point: 1.5." : ".");
+  if (field == nullptr || allowed_range(*field).empty()) return words + ".";
+  return words + ": " + allowed_range(*field) + ".";
 }
 
 }  // namespace
@@ -137,25 +137,24 @@ Result<std::string> typed_value(const std::string& typed_words, const fields::Fi
   const std::string typed = trimmed(typed_words);
   const auto kind = field != nullptr ? std::optional(field->kind) : kind_of(was);
   const auto wrong = [&] {
-    return problem(name,
-                   "\"" + toml::shown(typed, 60) + "\" is not " + fields::kind_words(*kind) + ".",
+    return problem(name, "\"" + toml::shown(typed, 60) + "\" is not " + kind_words(*kind) + ".",
                    what_to_write(*kind, field));
   };
   if (!kind) return toml::is_value(typed) ? typed : toml::quoted_text(typed_words);
   switch (*kind) {
-    case FieldKind::boolean:
+    case fields::FieldKind::boolean:
       if (typed != "true" && typed != "false") return wrong();
       return typed;
-    case FieldKind::whole:
-    case FieldKind::number:
-      if (!is_number(typed, *kind == FieldKind::whole)) return wrong();
+    case fields::FieldKind::whole:
+    case fields::FieldKind::number:
+      if (!is_number(typed, *kind == fields::FieldKind::whole)) return wrong();
       return typed;
-    case FieldKind::text:
+    case fields::FieldKind::text:
       return is_quoted(typed) ? typed : toml::quoted_text(typed_words);
-    case FieldKind::texts:
+    case fields::FieldKind::texts:
       if (!typed.starts_with('[')) return list_of_texts(typed);
       break;
-    case FieldKind::list:
+    case fields::FieldKind::list:
       if (!typed.starts_with('[')) {
         const std::string list = "[" + typed + "]";
         if (toml::is_value(list)) return list;
@@ -166,4 +165,4 @@ Result<std::string> typed_value(const std::string& typed_words, const fields::Fi
   return typed;
 }
 
-}  // namespace onggi::editing
+}  // namespace onggi::changes

@@ -8,17 +8,10 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/collection/changes/draft.h"
 #include "kiosk/ground/files/descriptor.h"
 
-namespace onggi::editing {
-
-/// One value that a change set, as the file writes it.
-struct ChangedValue {
-  std::string key;  ///< "idle.warn_after", "step.open.after".
-  std::string was;  ///< "60"; "": it was not written.
-  std::string is;   ///< "90".
-  std::string put;  ///< The bytes that were added for it; "": it was written, and replaced.
-};
+namespace onggi::changes {
 
 /// One change of one file, as it is kept: enough to take it back, and to tell it in words.
 struct Revision {
@@ -81,4 +74,4 @@ class Revisions {
   files::Descriptor lock_;
 };
 
-}  // namespace onggi::editing
+}  // namespace onggi::changes
