@@ -41,6 +41,7 @@ struct World {
     staff = std::make_unique<console::StaffAnswers>(console::StaffAnswers::Parts{
         .site = std::move(*found),
         .check = console::FileCheck("/bin/true", site / "config/exhibit.toml"),
+        .onggi = "/bin/true",
         .people = std::move(*people),
         .changes = console::ChangeLog(site / "state"),
         .clock = [] { return std::int64_t{1'780'000'000}; },

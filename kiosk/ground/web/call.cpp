@@ -21,7 +21,6 @@ using boost::system::error_code;
 using Tcp = asio::ip::tcp;
 
 constexpr std::uint32_t kMostOfAHead = 8192;
-constexpr std::uint64_t kMostOfABody = 1024;
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
@@ -84,7 +83,7 @@ Call::Call(Tcp::socket socket, Answering& answers, const Patience& patience,
       asked_(std::move(asked)),
       closed_(std::move(closed)) {
   parser_.header_limit(kMostOfAHead);
-  parser_.body_limit(kMostOfABody);
+  parser_.body_limit(answers_.most_of_a_body());
 }
 
 Call::~Call() { closed_(); }

@@ -27,9 +27,9 @@ struct Patience {
 /// The address at the other end, an IPv4 one written as such; "" if it is gone.
 std::string address_of(const boost::asio::ip::tcp::socket& socket);
 
-/// One connection: a request of at most 8 KiB head and 1 KiB body, and its answer; a longer head is
-/// told so, and anything else that is no request is closed without a word. Closes itself.
-/// Held alive by what it waits for. One thread.
+/// One connection: a request of at most 8 KiB head and Answering::most_of_a_body(), and its answer;
+/// a longer head is told so, and anything else that is no request is closed without a word. Closes
+/// itself. Held alive by what it waits for. One thread.
 class Call : public std::enable_shared_from_this<Call> {
  public:
   using Work = std::function<void()>;

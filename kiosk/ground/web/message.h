@@ -57,6 +57,8 @@ class Answering {
  public:
   virtual ~Answering() = default;
   virtual Answer to(const Ask& ask) = 0;
+  /// The longest body of a request, bytes; a longer one is refused. Asked for once a connection.
+  virtual std::size_t most_of_a_body() const { return 1024; }
 };
 
 /// The value of `name` in a query: the text after a target's '?'. As it was sent; "" if it is not

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/base/plain_text.h"
-#include "kiosk/exhibit/editing/edit.h"
 #include "kiosk/collection/changes/draft.h"
+#include "kiosk/exhibit/editing/edit.h"
 #include "kiosk/ground/files/json.h"
 #include "kiosk/ground/files/output.h"
 #include "kiosk/ground/files/paths.h"
@@ -59,7 +59,8 @@ Result<int> answer(const SetArguments& arguments, const Result<editing::Edited>&
     out["remedy"] = done.error().remedy;
   }
   if (auto put = arguments.json.write(out.text() + "\n"); !put) return tl::unexpected(put.error());
-  return done ? 0 : done.error().exit_code;
+  // Programs read why; whoever starts one tells a refusal from a crash.
+  return done ? 0 : 2;
 }
 
 Result<int> set(const SetArguments& arguments) {

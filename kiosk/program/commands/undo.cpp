@@ -5,6 +5,8 @@
 
 #include "engine/base/plain_text.h"
 #include "kiosk/exhibit/editing/edit.h"
+#include "kiosk/ground/files/json.h"
+#include "kiosk/ground/files/output.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/program/commands/commands.h"
 
@@ -14,6 +16,7 @@ namespace {
 
 struct UndoArguments {
   std::string config;
+  files::Output json{files::Output::Kind::json};
   bool list = false, forget = false;
 };
 
@@ -38,6 +41,22 @@ Result<int> list(const std::filesystem::path& exhibit) {
   return 0;
 }
 
+files::Json json_of(const Result<editing::Undone>& done) {
+  using files::Json;
+  if (!done)
+    return Json::object({{"done", false},
+                         {"where", done.error().where},
+                         {"what", done.error().what},
+                         {"remedy", done.error().remedy}});
+  Json words = Json::list();
+  for (const changes::ChangedValue& value : done->revision.values)
+    words.push_back(changes::undo_words(value, done->revision.when));
+  return Json::object({{"done", true},
+                       {"file", done->revision.file.string()},
+                       {"words", words},
+                       {"kept_others", done->kept_others}});
+}
+
 Result<int> undo(const UndoArguments& arguments) {
   const auto exhibit = files::exhibit_file(arguments.config);
   if (!exhibit) return tl::unexpected(exhibit.error());
@@ -51,6 +70,12 @@ Result<int> undo(const UndoArguments& arguments) {
     return 0;
   }
   const auto done = editing::undo(*exhibit);
+  if (arguments.json.wanted()) {
+    const auto report = json_of(done);
+    if (auto put = arguments.json.write(report.text() + "\n"); !put)
+      return tl::unexpected(put.error());
+    return done ? 0 : 2;
+  }
   if (!done) return tl::unexpected(done.error());
   for (const changes::ChangedValue& value : done->revision.values)
     std::cout << terminal::plain(done->revision.file.string()) << ": "
@@ -74,6 +99,10 @@ cli::Command undo_command() {
                   {.name = "--forget",
                    .field = &a->forget,
                    .help = "Forget the newest change, and leave its file as it is",
+                   .excludes = "--list"},
+                  {.name = "--json",
+                   .field = &a->json,
+                   .help = "Tell what was taken back as JSON, for programs; - : standard output",
                    .excludes = "--list"},
                   {"--config", &a->config,
                    "The exhibit's TOML [the one in the current folder, else the program's]"}},

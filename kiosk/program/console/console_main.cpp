@@ -255,6 +255,7 @@ onggi::Result<int> serve_staff(const Arguments& a) {
   }
   console::StaffAnswers staff({.site = std::move(*site),
                                .check = console::FileCheck(onggi_program(), file),
+                               .onggi = onggi_program(),
                                .people = std::move(*people),
                                .changes = console::ChangeLog(state),
                                .clock = clock});

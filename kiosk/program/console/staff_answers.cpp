@@ -30,11 +30,23 @@ constexpr std::size_t kMostShown = 200;  // changes
 struct PageFile {
   const char *name, *type, *text;
 };
-const PageFile kPageFiles[] = {{"/staff.js", "text/javascript; charset=utf-8", k_staff_js},
-                               {"/print.js", "text/javascript; charset=utf-8", k_print_js},
-                               {"/door.js", "text/javascript; charset=utf-8", k_door_js},
+constexpr const char* kScript = "text/javascript; charset=utf-8";
+const PageFile kPageFiles[] = {{"/base.js", kScript, k_base_js},
+                               {"/edit.js", kScript, k_edit_js},
+                               {"/settings.js", kScript, k_settings_js},
+                               {"/shelf.js", kScript, k_shelf_js},
+                               {"/staff.js", kScript, k_staff_js},
+                               {"/print.js", kScript, k_print_js},
+                               {"/door.js", kScript, k_door_js},
                                {"/staff.css", "text/css; charset=utf-8", k_staff_css},
                                {"/staff.svg", "image/svg+xml", k_staff_svg}};
+
+const char* const kEdit = "/api/edit/";
+
+bool is_of_files(const std::string& path) {
+  return path.starts_with(kEdit) || path == "/api/shelf" || path == "/api/revisions" ||
+         path == "/api/saved" || path == "/api/undo";
+}
 
 web::Answer not_an_editor() { return refused(403, "This is for editors.", "Ask one of them."); }
 
@@ -47,6 +59,7 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
             .body =
                 "This page is not served under this name. Use the address that onggi-console "
                 "printed.\n"};
+  note_ended();
   const bool reads = ask.method == "GET" || ask.method == "HEAD";
   if (reads)
     for (const auto& [name, type, text] : kPageFiles)
@@ -123,9 +136,11 @@ web::Answer StaffAnswers::get(const web::Ask& ask, const Session& session) {
   if (path == "/api/keepsakes") return desk_.keepsakes(ask);
   const auto parts = parts_of(path);
   if (parts.size() == 3 && parts[0] == "keepsake") return desk_.picture(ask, parts[1], parts[2]);
+  if (parts.size() == 2 && parts[0] == "outline") return edit_.outline(ask, parts[1]);
   if (parts.size() == 2 && parts[0] == "print") return desk_.print_page(parts[1]);
-  if (path == "/api/people" || path == "/api/changes") {
+  if (path == "/api/people" || path == "/api/changes" || is_of_files(path)) {
     if (session.role != Role::editor) return not_an_editor();
+    if (is_of_files(path)) return get_edit(ask, path);
     return path == "/api/people" ? people() : changes();
   }
   if (path.starts_with("/api/"))
@@ -150,6 +165,8 @@ web::Answer StaffAnswers::post(const web::Ask& ask, const Session& session) {
     if (parts[3] == "delete")
       return noted(desk_.remove(parts[2]), ask, session, "deleted keepsake", parts[2]);
   }
+  if (is_of_files(ask.target))
+    return session.role == Role::editor ? post_edit(ask, session) : not_an_editor();
   if (parts.size() >= 2 && parts[0] == "api" && parts[1] == "people")
     return session.role == Role::editor ? post_people(ask, session) : not_an_editor();
   return refused(404, "This cannot be done here.", "Use the page.");
@@ -226,7 +243,31 @@ web::Answer StaffAnswers::changes() {
   return {.status = 200, .type = kJson, .body = '[' + lines + ']'};
 }
 
+web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path) {
+  if (path == "/api/shelf") return edit_.shelf(ask);
+  if (path == "/api/revisions") return edit_.revisions(ask);
+  if (path == "/api/saved") return edit_.saved();
+  return path.starts_with(kEdit) ? edit_.file(ask, path.substr(std::string_view(kEdit).size()))
+                                 : refused(404, "There is no such thing.", "Load this page again.");
+}
+
+web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session) {
+  if (ask.target == "/api/undo") return edit_.undo(ask, session.who, parts_.clock());
+  const std::size_t last = ask.target.rfind('/'), first = std::string_view(kEdit).size();
+  if (last <= first) return refused(404, "This cannot be done here.", "Use the page.");
+  const std::string name = ask.target.substr(first, last - first), act = ask.target.substr(last);
+  if (act == "/check") return edit_.check(name, ask.body);
+  if (act == "/save") return edit_.save(ask, name, session.who, parts_.clock());
+  return refused(404, "This cannot be done here.", "Use the page.");
+}
+
+void StaffAnswers::note_ended() {
+  if (const auto change = edit_.ended())
+    if (auto added = parts_.changes.add(*change); !added) parts_.tell(added.error());
+}
+
 void StaffAnswers::look_after() {
+  note_ended();
   if (auto forgot = parts_.changes.forget(parts_.clock()); !forgot) parts_.tell(forgot.error());
 }
 

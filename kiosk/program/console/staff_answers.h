@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,6 +15,7 @@
 #include "kiosk/program/console/change_log.h"
 #include "kiosk/program/console/desk_answers.h"
 #include "kiosk/program/console/door.h"
+#include "kiosk/program/console/edit_answers.h"
 #include "kiosk/program/console/figures.h"
 #include "kiosk/program/console/file_check.h"
 #include "kiosk/program/console/patience.h"
@@ -38,6 +41,14 @@ namespace onggi::console {
 ///   POST /api/keepsakes/VISIT/pass    a page for the visitor's phone
 ///   POST /api/keepsakes/VISIT/delete  every copy, for good
 ///   POST /api/passphrase         {old, new}: one's own
+///   GET  /api/edit/NAME      (e) a file that can be changed: exhibit, vessel/ID
+///   POST /api/edit/NAME/check(e) {changes}: what is wrong with them
+///   POST /api/edit/NAME/save (e) {tag, changes}: begins to change it
+///   GET  /api/saved          (e) what came of the newest change
+///   GET  /api/revisions      (e) what can be taken back
+///   POST /api/undo           (e) begins to take back the newest
+///   GET  /api/shelf          (e) the vessels in their order
+///   GET  /outline/ID             one of them from the side
 ///   GET  /api/people         (e) names and roles
 ///   POST /api/people         (e) {name, role, passphrase}: adds or changes somebody
 ///   POST /api/people/NAME/remove (e)
@@ -50,6 +61,7 @@ class StaffAnswers final : public web::Answering {
   struct Parts {
     Site site;
     FileCheck check;
+    std::filesystem::path onggi;  ///< The program that changes files.
     People people;
     ChangeLog changes;
     std::function<std::int64_t()> clock;  ///< s since 1970.
@@ -57,7 +69,10 @@ class StaffAnswers final : public web::Answering {
     std::function<void(const Problem&)> tell = files::log_problem;
   };
   /// Refuses everything until open().
-  explicit StaffAnswers(Parts parts) : parts_(std::move(parts)), desk_(parts_.site, parts_.tell) {}
+  explicit StaffAnswers(Parts parts)
+      : parts_(std::move(parts)),
+        desk_(parts_.site, parts_.tell),
+        edit_(parts_.site, parts_.onggi) {}
   StaffAnswers(const StaffAnswers&) = delete;
   StaffAnswers& operator=(const StaffAnswers&) = delete;
   /// `hosts`: the Host fields that are accepted, "127.0.0.1:8090".
@@ -67,6 +82,8 @@ class StaffAnswers final : public web::Answering {
   }
 
   web::Answer to(const web::Ask& ask) override;
+  /// A label in twelve languages.
+  std::size_t most_of_a_body() const override { return 128u << 10; }
   /// After open().
   const Door& door() const { return *door_; }
   /// Call it once a minute: forgets changes that are too old.
@@ -83,12 +100,16 @@ class StaffAnswers final : public web::Answering {
   web::Answer set_passphrase(const web::Ask& ask, const Session& session);
   web::Answer people();
   web::Answer changes();
+  web::Answer get_edit(const web::Ask& ask, const std::string& path);
+  web::Answer post_edit(const web::Ask& ask, const Session& session);
+  void note_ended();
   /// `answer`, noted as a change by `session` if it is a success.
   web::Answer noted(web::Answer answer, const web::Ask& ask, const Session& session,
                     const char* did, const std::string& what);
 
   Parts parts_;
   DeskAnswers desk_;
+  EditAnswers edit_;
   std::optional<Door> door_;
   std::vector<std::string> hosts_;
   Figures figures_;

@@ -6,6 +6,10 @@ namespace onggi::console {
 extern const char* const k_staff_html;
 extern const char* const k_door_html;
 extern const char* const k_print_html;
+extern const char* const k_base_js;
+extern const char* const k_edit_js;
+extern const char* const k_settings_js;
+extern const char* const k_shelf_js;
 extern const char* const k_staff_js;
 extern const char* const k_print_js;
 extern const char* const k_door_js;

@@ -1,55 +1,9 @@
-// The staff's page: four parts, of which one is shown. What others wrote (names, labels, problems) is only ever text.
+// The staff's page: its parts, of which one is shown. base.js comes before it, edit.js, settings.js and shelf.js too.
 "use strict";
 
-const $ = (id) => document.getElementById(id);
-const PARTS = ["now", "desk", "figures", "files", "people"];
+const PARTS = ["now", "desk", "figures", "settings", "shelf", "files", "people"];
+const FOR_EDITORS = ["settings", "shelf", "people"];
 const EVERY = 2000; // ms between two looks at the kiosk
-
-/** An element: made("li", {className: "good"}, "text", otherElement). */
-function made(tag, fields, ...inside) {
-  const element = Object.assign(document.createElement(tag), fields);
-  element.append(...inside);
-  return element;
-}
-
-/** The JSON at `address`, or the answer to posting `post`. Throws what the kiosk's program says is wrong. */
-async function ask(address, post) {
-  const how = post ? { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(post) } : {};
-  let answer;
-  try {
-    answer = await fetch(address, how);
-  } catch {
-    throw Object.assign(new Error("The program behind this page does not answer."),
-      { remedy: "Start it: sudo systemctl start onggi-console. Elsewhere, start onggi-console again.", lost: true });
-  }
-  const said = await answer.json();
-  if (!answer.ok) throw Object.assign(new Error(said.what), { remedy: said.remedy, lost: answer.status === 401, out: answer.status === 401 });
-  return said;
-}
-
-function tell(place, error) {
-  place.replaceChildren(made("strong", {}, error.message), error.remedy ? " " + error.remedy : "");
-  if (error.lost) lose(error);
-}
-function lose(error) {
-  // What the last one saw is not for the next.
-  if (error.out) {
-    sessionStorage.setItem("why", "You were signed out: half an hour passed, or an editor changed your name, role or passphrase.");
-    return location.replace("/");
-  }
-  $("lost").hidden = false;
-  $("lost").replaceChildren(made("strong", {}, error.message), " " + error.remedy);
-}
-
-/** Waits of more than a moment are said. */
-async function waiting(place, words, work) {
-  const late = setTimeout(() => place.replaceChildren(words), 300);
-  try {
-    return await work;
-  } finally {
-    clearTimeout(late);
-  }
-}
 
 // ---- Now
 
@@ -86,7 +40,7 @@ async function look() {
     if (part() === "desk" && ++looks % 5 === 0 && !$("pot").open) showPots(true);
     $("who").textContent = said.who === "(code)" ? "" : said.who;
     $("own").hidden = said.who === "(code)";
-    document.querySelector("nav a[href='#people']").hidden = said.role !== "editor";
+    for (const one of FOR_EDITORS) document.querySelector(`nav a[href='#${one}']`).hidden = said.role !== "editor";
     if (first) begin();
   } catch (error) {
     lose(error);
@@ -356,7 +310,7 @@ $("passphrase-form").addEventListener("submit", async (event) => {
 
 const part = () => {
   const wanted = location.hash.slice(1);
-  const open = PARTS.includes(wanted) && (wanted !== "people" || state === null || state.role === "editor");
+  const open = PARTS.includes(wanted) && (!FOR_EDITORS.includes(wanted) || state === null || state.role === "editor");
   return open ? wanted : "now";
 };
 
@@ -370,6 +324,8 @@ function showPart() {
   if (part() === "desk") showPots();
   if (part() === "figures") showFigures();
   if (part() === "files") showFiles();
+  if (part() === "settings") showSettings();
+  if (part() === "shelf") showShelf();
   if (part() === "people") showPeople();
 }
 function begin() {

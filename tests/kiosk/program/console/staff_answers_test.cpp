@@ -44,6 +44,7 @@ class StaffPage : public ::testing::Test {
     staff_ = std::make_unique<StaffAnswers>(
         StaffAnswers::Parts{.site = std::move(*site),
                             .check = FileCheck("/bin/true", site_ / "config/exhibit.toml"),
+                            .onggi = "/bin/true",
                             .people = std::move(*people),
                             .changes = ChangeLog(state_),
                             .clock = [this] { return now_; }});

@@ -1,0 +1,211 @@
+#include "kiosk/program/console/edit_answers.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "kiosk/collection/changes/revisions.h"
+#include "kiosk/collection/content/drawing.h"
+#include "kiosk/collection/content/pack.h"
+#include "kiosk/ground/fields/field_json.h"
+#include "kiosk/ground/files/json.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/ground/toml/toml_json.h"
+#include "kiosk/ground/toml/toml_text.h"
+#include "kiosk/program/console/said.h"
+#include "kiosk/program/console/silhouette.h"
+
+namespace onggi::console {
+
+namespace {
+
+namespace fs = std::filesystem;
+using files::Json;
+
+constexpr std::size_t kMostOfANote = 600;  // bytes
+
+web::Answer no_such_file() {
+  return refused(404, "There is no such file here any more.", "Load this page again.");
+}
+
+web::Answer wrong_form() { return refused(409, "This is no change.", "Load this page again."); }
+
+Json json_of(const std::vector<ChangeFault>& faults) {
+  Json list = Json::list();
+  for (const ChangeFault& fault : faults)
+    list.push_back(
+        Json::object({{"key", fault.key}, {"what", fault.what}, {"remedy", fault.remedy}}));
+  return Json::object({{"faults", list}});
+}
+
+/// The member `changes` of `body`, as JSON.
+std::string changes_of(const std::string& body) {
+  const auto object = nlohmann::json::parse(body, nullptr, false);
+  return object.is_object() && object.contains("changes") ? object["changes"].dump() : "";
+}
+
+std::vector<std::string> language_codes(const fs::path& folder) {
+  std::vector<std::string> codes;
+  std::error_code gone;
+  for (fs::directory_iterator it(folder, gone), end; !gone && it != end; it.increment(gone))
+    if (it->path().extension() == ".toml") codes.push_back(it->path().stem().string());
+  std::ranges::sort(codes);
+  return codes;
+}
+
+struct OnShelf {
+  std::string id;
+  content::Pack pack;
+};
+
+std::vector<OnShelf> shelf_of(const settings::Exhibit& exhibit) {
+  std::vector<OnShelf> out;
+  std::error_code gone;
+  for (fs::directory_iterator it(exhibit.shelf, gone), end; !gone && it != end; it.increment(gone))
+    if (const fs::path file = it->path() / "vessel.toml"; fs::is_regular_file(file, gone))
+      out.push_back({it->path().filename().string(), content::read_pack(file).pack});
+  const auto place = [&](const OnShelf& one) {
+    return std::ranges::find(exhibit.order, one.id) - exhibit.order.begin();
+  };
+  std::ranges::sort(out, [&](const OnShelf& a, const OnShelf& b) {
+    return std::pair(place(a), a.id) < std::pair(place(b), b.id);
+  });
+  return out;
+}
+
+}  // namespace
+
+web::Answer EditAnswers::file(const web::Ask& ask, const std::string& name) {
+  const auto edited = EditedFile::find(site_, name);
+  if (!edited) return no_such_file();
+  const auto text = edited->text();
+  if (!text) return refused(409, text.error());
+  const auto values = toml::json_of(*text);
+  Json out = Json::object({{"file", edited->path().string()}, {"tag", changes::tag_of(*text)}});
+  out["languages"] = Json::list_of(language_codes(files::language_folder(site_.file())));
+  out["fields"] = fields::json_of(edited->fields());
+  std::string all = out.text(-1);
+  all.insert(all.size() - 1, ",\"values\":" + values.value_or("{}"));
+  return json(ask, all);
+}
+
+web::Answer EditAnswers::check(const std::string& name, const std::string& body) {
+  const auto edited = EditedFile::find(site_, name);
+  if (!edited) return no_such_file();
+  const auto wanted = edited->changes_in(changes_of(body));
+  if (!wanted) return wrong_form();
+  const auto text = edited->text();
+  if (!text) return refused(409, text.error());
+  std::vector<ChangeFault> faults;
+  const changes::Draft draft = edited->draft_of(*text, *wanted, faults);
+  for (ChangeFault& fault : edited->faults_of(draft, *text)) faults.push_back(std::move(fault));
+  return json(json_of(faults));
+}
+
+web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, const std::string& who,
+                              std::int64_t now) {
+  const auto edited = EditedFile::find(site_, name);
+  if (!edited) return no_such_file();
+  const auto wanted = edited->changes_in(changes_of(ask.body));
+  const std::string tag = Words(ask.body)["tag"];
+  if (!wanted || wanted->empty() || tag.empty()) return wrong_form();
+  const auto text = edited->text();
+  if (!text) return refused(409, text.error());
+  if (tag != changes::tag_of(*text))
+    return refused(412, "Somebody else has changed this file since you opened it.",
+                   "Look at both, and save again.");
+  std::vector<ChangeFault> faults;
+  const changes::Draft draft = edited->draft_of(*text, *wanted, faults);
+  for (ChangeFault& fault : edited->faults_of(draft, *text)) faults.push_back(std::move(fault));
+  if (!faults.empty()) {
+    web::Answer answer = json(json_of(faults));
+    answer.status = 409;
+    return answer;
+  }
+  std::vector<std::string> arguments{"set", "--json", "-", "--if", tag};
+  std::string without, note;
+  for (const changes::ChangedValue& value : draft.values) {
+    if (value.is.empty()) without += (without.empty() ? "" : ",") + value.key;
+    note += (note.empty() ? "" : "; ") + changes::change_words(value);
+  }
+  if (!without.empty()) arguments.insert(arguments.end(), {"--without", without});
+  arguments.insert(arguments.end(), {edited->path().string()});
+  for (const changes::ChangedValue& value : draft.values)
+    if (!value.is.empty()) arguments.insert(arguments.end(), {value.key, value.is});
+  if (note.size() > kMostOfANote) note = toml::shown(note, kMostOfANote);
+  return begin(std::move(arguments),
+               {now, who, ask.from, "changed", edited->path().filename().string() + ": " + note});
+}
+
+web::Answer EditAnswers::undo(const web::Ask& ask, const std::string& who, std::int64_t now) {
+  return begin({"undo", "--json", "-", "--config", site_.file().string()},
+               {now, who, ask.from, "took back", "the newest change"});
+}
+
+web::Answer EditAnswers::begin(std::vector<std::string> arguments, ChangeLog::Change note) {
+  if (saver_.under_way() || !saver_.begin(std::move(arguments)))
+    return refused(503, "Another change is being made at this moment.", "Try again in a moment.");
+  note_ = std::move(note);
+  said_ = "null";
+  web::Answer answer = json(Json::object({{"number", ++number_}}));
+  answer.status = 202;
+  return answer;
+}
+
+std::optional<ChangeLog::Change> EditAnswers::ended() {
+  auto said = saver_.take();
+  if (!said) return std::nullopt;
+  said_ = std::move(*said);
+  const auto report = nlohmann::json::parse(said_, nullptr, false);
+  if (!report.value("done", false)) return std::nullopt;
+  return note_;
+}
+
+web::Answer EditAnswers::saved() {
+  return {.status = 200,
+          .type = kJson,
+          .body = "{\"number\": " + std::to_string(number_) + ", \"under_way\": " +
+                  (saver_.under_way() ? "true" : "false") + ", \"said\": " + said_ + '}'};
+}
+
+web::Answer EditAnswers::revisions(const web::Ask& ask) {
+  Json list = Json::list();
+  for (const changes::Revision& revision : changes::Revisions(site_.file()).read()) {
+    const fs::path site = site_.file().parent_path().parent_path();
+    list.push_back(Json::object({{"when", revision.when},
+                                 {"file", revision.file.lexically_relative(site).string()},
+                                 {"words", changes::words_of(revision)}}));
+  }
+  return json(ask, list.text(-1));
+}
+
+web::Answer EditAnswers::shelf(const web::Ask& ask) {
+  const settings::Exhibit& exhibit = site_.exhibit();
+  Json list = Json::list();
+  for (const OnShelf& one : shelf_of(exhibit)) {
+    Json titles = Json::object();
+    for (const auto& [language, label] : one.pack.labels) titles[language] = label.title;
+    const bool hidden = std::ranges::find(exhibit.hidden, one.id) != exhibit.hidden.end();
+    list.push_back(Json::object({{"id", one.id},
+                                 {"titles", titles},
+                                 {"hidden", hidden},
+                                 {"unfinished", one.pack.unfinished}}));
+  }
+  return json(ask, list.text(-1));
+}
+
+web::Answer EditAnswers::outline(const web::Ask& ask, const std::string& id) {
+  const auto vessel = EditedFile::find(site_, "vessel/" + id);
+  const std::string name = vessel ? content::read_pack(vessel->path()).pack.drawing : "";
+  const bool beside = !name.empty() && name.find('/') == std::string::npos;
+  std::string picture;
+  if (beside)
+    if (const auto drawing = content::read_drawing(vessel->path().parent_path() / name))
+      picture = silhouette(drawing->section);
+  if (picture.empty()) return page_of(404, "There is no drawing of this vessel.");
+  web::Answer answer = json(ask, picture);
+  if (answer.status == 200) answer.type = "image/svg+xml";
+  return answer;
+}
+
+}  // namespace onggi::console

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "kiosk/ground/web/message.h"
+#include "kiosk/program/console/change_log.h"
+#include "kiosk/program/console/edited_file.h"
+#include "kiosk/program/console/saver.h"
+#include "kiosk/program/console/site.h"
+
+namespace onggi::console {
+
+/// The part of the staff's page where editors change files. One thread; reads the disk, and leaves
+/// writing to Saver. A file is meant by a tag of its bytes, so that nobody's change is lost.
+class EditAnswers {
+ public:
+  /// `site` stays with the caller. `onggi`: the program that writes.
+  EditAnswers(Site& site, std::filesystem::path onggi) : site_(site), saver_(std::move(onggi)) {}
+
+  /// {file, tag, values: all of its TOML, fields, languages: codes of those that there are}
+  web::Answer file(const web::Ask& ask, const std::string& name);
+  /// `body`: {changes: [[key, value], ...]}; {faults: [{key, what, remedy}]}
+  web::Answer check(const std::string& name, const std::string& body);
+  /// `body`: {tag, changes}. 202 where it has begun; 409 with faults, 412 for another tag.
+  web::Answer save(const web::Ask& ask, const std::string& name, const std::string& who,
+                   std::int64_t now);
+  /// Takes back the newest change.
+  web::Answer undo(const web::Ask& ask, const std::string& who, std::int64_t now);
+  /// {number, under_way, said: what `onggi set` or `undo` printed last}: of the newest change that
+  /// was begun here.
+  web::Answer saved();
+  /// The changes that can be taken back, newest first: [{when, file, words}]
+  web::Answer revisions(const web::Ask& ask);
+  /// The shelf in its order: [{id, titles: by language, hidden, unfinished}]
+  web::Answer shelf(const web::Ask& ask);
+  /// The vessel `id` from the side, as it was drawn; 404 where there is no drawing.
+  web::Answer outline(const web::Ask& ask, const std::string& id);
+  /// The change that has ended since the last call and was made: for the log.
+  std::optional<ChangeLog::Change> ended();
+
+ private:
+  web::Answer begin(std::vector<std::string> arguments, ChangeLog::Change note);
+
+  Site& site_;
+  Saver saver_;
+  int number_ = 0;
+  std::string said_ = "null";
+  ChangeLog::Change note_;
+};
+
+}  // namespace onggi::console

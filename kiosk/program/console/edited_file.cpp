@@ -1,0 +1,181 @@
+#include "kiosk/program/console/edited_file.h"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "kiosk/collection/content/content_fields.h"
+#include "kiosk/collection/content/pack.h"
+#include "kiosk/collection/settings/exhibit_fields.h"
+#include "kiosk/ground/files/paths.h"
+#include "kiosk/ground/toml/stand_in.h"
+#include "kiosk/ground/toml/toml_places.h"
+#include "kiosk/ground/toml/toml_reader.h"
+#include "kiosk/ground/toml/toml_splice.h"
+#include "kiosk/ground/toml/toml_text.h"
+
+namespace onggi::console {
+
+namespace {
+
+namespace fs = std::filesystem;
+using fields::FieldKind;
+
+constexpr std::size_t kMostChanges = 200;
+
+/// A value of JSON as a person would type it, or as TOML writes it; none for an object.
+std::optional<std::string> written(const nlohmann::json& value, const fields::Field* field) {
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
+  if (value.is_number()) return fields::number_words(value.get<double>());
+  if (value.is_string()) {
+    const bool text = field == nullptr || field->kind == FieldKind::text;
+    return text ? toml::quoted_text(value.get<std::string>()) : value.get<std::string>();
+  }
+  if (!value.is_array()) return std::nullopt;
+  std::string list;
+  for (const nlohmann::json& one : value) {
+    const auto element = written(one, nullptr);
+    if (!element) return std::nullopt;
+    list += (list.empty() ? "" : ", ") + *element;
+  }
+  return '[' + list + ']';
+}
+
+/// Without line and column, because a change above moves an old Problem.
+std::string name_of(const Problem& problem) {
+  return problem.where.substr(0, problem.where.find(':')) + ": " + problem.what;
+}
+
+// Where files lie, how phones reach the kiosk and how much it takes in are for whoever keeps the
+// machine: a page must not lead the kiosk, or itself, to other folders. By table and key.
+const std::set<std::string> kMachinesOwn{
+    "shelf", "scene",    "built_scene",     "rubric", "lesson", "build_lesson", "glazes",
+    "ways",  "missions", "keepsake.folder", "phone",  "reader", "vessel_scenes"};
+const std::set<std::string> kFilesOwn{"drawing", "decoration", "node", "units", "up", "color"};
+
+bool is_a_folders_name(const std::string& id) {
+  return !id.empty() && id[0] != '.' && id.find('/') == std::string::npos;
+}
+
+}  // namespace
+
+EditedFile::EditedFile(Kind kind, fs::path path, std::vector<std::string> languages)
+    : kind_(kind), path_(std::move(path)), languages_(std::move(languages)) {
+  const bool exhibit = kind == Kind::exhibit;
+  const fields::FieldList& all = exhibit ? settings::exhibit_fields() : content::vessel_fields();
+  const std::set<std::string>& left_out = exhibit ? kMachinesOwn : kFilesOwn;
+  list_.file = all.file;
+  std::ranges::copy_if(all.fields, std::back_inserter(list_.fields), [&](const fields::Field& f) {
+    return !left_out.contains(f.table) && !left_out.contains(f.name());
+  });
+}
+
+std::optional<EditedFile> EditedFile::find(Site& site, const std::string& name) {
+  const settings::Exhibit& exhibit = site.exhibit();
+  if (name == "exhibit") return EditedFile(Kind::exhibit, site.file(), exhibit.languages);
+  constexpr std::string_view kVessel = "vessel/";
+  if (!name.starts_with(kVessel)) return std::nullopt;
+  const std::string id = name.substr(kVessel.size());
+  const fs::path file = exhibit.shelf / id / "vessel.toml";
+  std::error_code error;
+  if (!is_a_folders_name(id) || !fs::is_regular_file(file, error)) return std::nullopt;
+  return EditedFile(Kind::vessel, file, exhibit.languages);
+}
+
+Result<std::string> EditedFile::text() const {
+  auto text = toml::read_toml_text(path_);
+  if (!text) return text;
+  const toml::TomlReader reader = toml::TomlReader::of_text(*text, path_.string());
+  if (!reader.ok()) return tl::unexpected(reader.problems().front());
+  return text;
+}
+
+std::optional<std::vector<changes::Change>> EditedFile::changes_in(const std::string& text) const {
+  const nlohmann::json list = nlohmann::json::parse(text, nullptr, false);
+  if (!list.is_array() || list.size() > kMostChanges) return std::nullopt;
+  std::vector<changes::Change> out;
+  for (const nlohmann::json& one : list) {
+    if (!one.is_array() || one.size() != 2 || !one[0].is_string()) return std::nullopt;
+    changes::Change change{one[0].get<std::string>(), std::nullopt};
+    if (!one[1].is_null()) {
+      const fields::Field* field = fields::find_field(list_, toml::path_of(change.key));
+      change.value = written(one[1], field);
+      if (!change.value) return std::nullopt;
+    }
+    out.push_back(std::move(change));
+  }
+  return out;
+}
+
+changes::Draft EditedFile::draft_of(const std::string& text,
+                                    const std::vector<changes::Change>& wanted,
+                                    std::vector<ChangeFault>& faults) const {
+  changes::Draft draft{text, {}, false};
+  for (const changes::Change& change : wanted)
+    if (const auto made = changes::make_change(draft, &list_, change, path_.filename().string());
+        !made)
+      faults.push_back({change.key, made.error().what, made.error().remedy});
+  return draft;
+}
+
+std::vector<Problem> EditedFile::problems() const {
+  if (kind_ == Kind::exhibit)
+    return settings::read_exhibit(path_, files::language_folder(path_)).problems;
+  content::PackRead read = content::read_pack(path_, languages_);
+  std::vector<Problem> out = std::move(read.problems);
+  out.insert(out.end(), read.advice.begin(), read.advice.end());
+  return out;
+}
+
+std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
+                                               const std::string& text) const {
+  if (draft.text == text) return {};
+  std::vector<Problem> after;
+  {
+    const toml::StandIn change(path_, draft.text);
+    after = problems();
+  }
+  if (after.empty()) return {};
+  std::set<std::string> before;
+  for (const Problem& problem : problems()) before.insert(name_of(problem));
+  std::vector<ChangeFault> out;
+  for (const Problem& problem : after) {
+    if (before.contains(name_of(problem))) continue;
+    const auto of = std::ranges::find_if(draft.values, [&](const changes::ChangedValue& value) {
+      const std::string line = changes::line_of_key(draft.text, path_.string(), value.key);
+      return !line.empty() && problem.where.starts_with(line);
+    });
+    if (of != draft.values.end())
+      out.push_back({of->key, problem.what, problem.remedy});
+    else if (const std::string key = missing_key(draft.text, problem); !key.empty())
+      out.push_back({key, problem.what, "Write it here."});
+    else
+      out.push_back({"", problem.what, problem.remedy});
+  }
+  std::ranges::stable_partition(out, [](const ChangeFault& fault) { return !fault.key.empty(); });
+  return out;
+}
+
+std::string EditedFile::missing_key(const std::string& text, const Problem& problem) const {
+  const std::size_t open = problem.what.find('"'), close = problem.what.find('"', open + 1);
+  if (close == std::string::npos) return {};
+  const std::string name = problem.what.substr(open + 1, close - open - 1);
+  const toml::TomlPlaces places(text);
+  for (const toml::TomlPlaces::Header& header : places.headers()) {
+    if (header.path.empty()) continue;
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(header.begin);
+    const std::string line =
+        path_.string() + ':' + std::to_string(1 + std::count(text.begin(), end, '\n')) + ':';
+    toml::Path path = header.path;
+    path.push_back(name);
+    const fields::Field* field = fields::find_field(list_, path);
+    if (field != nullptr && field->any_key && problem.where.starts_with(line))
+      return toml::key_text(path);
+  }
+  return {};
+}
+
+}  // namespace onggi::console

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "kiosk/collection/changes/draft.h"
+#include "kiosk/ground/fields/field.h"
+#include "kiosk/program/console/site.h"
+
+namespace onggi::console {
+
+/// What is wrong with a change.
+struct ChangeFault {
+  std::string key;  ///< As it was sent; "": of no single value.
+  std::string what, remedy;
+};
+
+/// A curator's file as the page changes it: the exhibit's own, or a vessel's. Reads the disk at
+/// each call. One thread.
+class EditedFile {
+ public:
+  /// "exhibit", or "vessel/ID" of a folder on the shelf. None for all else.
+  static std::optional<EditedFile> find(Site& site, const std::string& name);
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Its keys that may be changed here: none that names a place on the machine.
+  const fields::FieldList& fields() const { return list_; }
+  /// Its text. Problem where it cannot be read, or is no TOML.
+  Result<std::string> text() const;
+  /// The changes that `json`, a list of [key, value], asks for; null takes a key out. None where it
+  /// has another form.
+  std::optional<std::vector<changes::Change>> changes_in(const std::string& json) const;
+  /// `text` with `wanted`; what cannot be made is left out, and told in `faults`.
+  changes::Draft draft_of(const std::string& text, const std::vector<changes::Change>& wanted,
+                          std::vector<ChangeFault>& faults) const;
+  /// What the file's own reader, as `onggi check` uses it, finds wrong in `draft` and not in
+  /// `text`. Other files are not looked at, so that it takes a few ms.
+  std::vector<ChangeFault> faults_of(const changes::Draft& draft, const std::string& text) const;
+
+ private:
+  enum class Kind { exhibit, vessel };
+  EditedFile(Kind kind, std::filesystem::path path, std::vector<std::string> languages);
+  std::vector<Problem> problems() const;
+  /// The key that `problem`, told of a [table] whose keys are any names, lacks: "title.fr". "" of
+  /// another problem.
+  std::string missing_key(const std::string& text, const Problem& problem) const;
+
+  Kind kind_;
+  std::filesystem::path path_;
+  std::vector<std::string> languages_;
+  fields::FieldList list_;
+};
+
+}  // namespace onggi::console

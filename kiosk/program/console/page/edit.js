@@ -1,0 +1,277 @@
+// Changing a file: what was typed is checked by the kiosk's program as it is typed, and saved in one step.
+"use strict";
+
+const WAIT = 200; // ms after the last letter until it is checked
+
+/** "true_height_mm" as a label: "True height". */
+const asLabel = (key) => {
+  const words = key.replace(/_(mm|mb|px)$/, "").replaceAll("_", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+};
+
+/** The value at "idle.warn_after" of nested objects; names in quotes are one. */
+function valueAt(values, key) {
+  let value = values;
+  for (const name of key.match(/"[^"]*"|[^.]+/g)) {
+    if (value === null || typeof value !== "object") return undefined;
+    value = value[name.replaceAll('"', "")];
+  }
+  return value;
+}
+const same = (a, b) => JSON.stringify(a ?? null) === JSON.stringify(b ?? null);
+
+/**
+ * One file as it is edited. `name`: "exhibit" or "vessel/ID". `place`: where words about it stand; `draw()` shows it anew
+ * after it was loaded.
+ */
+class Edited {
+  constructor(name, place, buttons, draw) {
+    Object.assign(this, { name, place, buttons, draw, changes: new Map(), faults: [], seen: new Map(), turn: 0, rows: new Map() });
+    this.file = null;
+  }
+  get dirty() { return this.changes.size > 0; }
+
+  async load() {
+    const file = await ask("/api/edit/" + this.name);
+    this.file = file;
+    this.fields = file.fields.fields;
+    // What somebody else wrote meanwhile is shown beside what was typed here.
+    for (const [key, wanted] of this.changes) {
+      if (same(valueAt(file.values, key), wanted)) this.changes.delete(key);
+    }
+    this.rows.clear();
+    this.draw();
+    this.show();
+  }
+  was(key) { return valueAt(this.file.values, key); }
+  now(key) { return this.changes.has(key) ? this.changes.get(key) ?? undefined : this.was(key); }
+
+  /** Somebody wants `value` at `key`; null takes the key out. */
+  want(key, value) {
+    if (same(value, this.was(key))) this.changes.delete(key);
+    else {
+      if (!this.changes.has(key)) this.seen.set(key, this.was(key));
+      this.changes.set(key, value);
+    }
+    this.show();
+    clearTimeout(this.later);
+    this.later = setTimeout(() => this.check(), WAIT);
+  }
+  drop(key) {
+    this.changes.delete(key);
+    this.show();
+  }
+  list() { return [...this.changes]; }
+
+  async check() {
+    const turn = ++this.turn;
+    try {
+      const { faults } = this.dirty ? await ask(`/api/edit/${this.name}/check`, { changes: this.list() }) : { faults: [] };
+      if (turn === this.turn) this.found(faults);
+    } catch (error) {
+      if (turn === this.turn) tell(this.place, error);
+    }
+  }
+  found(faults) {
+    this.faults = faults;
+    for (const [key, row] of this.rows) row.fault(faults.find((fault) => fault.key === key), this.conflict(key));
+    const elsewhere = faults.filter(({ key }) => !this.rows.has(key));
+    this.place.replaceChildren(...elsewhere.map(({ what, remedy }) => made("p", {}, made("strong", {}, what), " " + remedy)));
+    this.show();
+  }
+  /** What somebody else wrote at `key` since this page's own change of it began; undefined: nothing. */
+  conflict(key) {
+    return this.changes.has(key) && !same(this.seen.get(key), this.was(key)) ? { theirs: this.was(key) } : undefined;
+  }
+
+  async save() {
+    try {
+      this.busy = true;
+      this.show();
+      clearTimeout(this.later);
+      const begun = await ask(`/api/edit/${this.name}/save`, { tag: this.file.tag, changes: this.list() });
+      const said = await outcome(begun.number, this.place, "Looking at the whole exhibit, then saving…");
+      if (said.another_file) return await this.meanwhile();
+      if (!said.done) return tell(this.place, refusal(said));
+      const count = said.changes.length;
+      this.changes.clear();
+      await this.load();
+      this.place.replaceChildren((count === 1 ? "Saved." : `Saved, ${count} values.`) +
+        " The kiosk takes it up when no visitor is there. You can take it back under Settings.");
+    } catch (error) {
+      if (error.status === 412) return await this.meanwhile();
+      if (error.status === 409 && error.said.faults) return this.found(error.said.faults);
+      tell(this.place, error);
+    } finally {
+      this.busy = false;
+      this.show();
+    }
+  }
+  async meanwhile() {
+    await this.load();
+    this.found([]);
+    const both = [...this.changes.keys()].some((key) => this.conflict(key));
+    this.place.replaceChildren(made("strong", {}, "Somebody else has changed this file meanwhile. "), both
+      ? "Where you both changed the same, both values stand below: choose, then save again."
+      : "Their change is shown below, and yours still stands in its field: save again.");
+    for (const key of this.changes.keys()) if (!this.conflict(key)) this.seen.set(key, this.was(key));
+  }
+  forget() {
+    this.changes.clear();
+    this.faults = [];
+    this.place.replaceChildren();
+    this.rows.clear();
+    this.draw();
+    this.show();
+  }
+  show() {
+    const [save, forget] = this.buttons;
+    save.disabled = !this.dirty || this.faults.length > 0 || this.busy === true;
+    save.textContent = this.changes.size > 1 ? `Save ${this.changes.size} changes` : "Save";
+    forget.hidden = !this.dirty;
+  }
+}
+
+/** Waits for what came of the change `number`. */
+async function outcome(number, place, words) {
+  const began = Date.now();
+  for (;;) {
+    const now = await ask("/api/saved");
+    if (now.number !== number) throw Object.assign(new Error("Another change was made meanwhile."), { remedy: "Look at the list under Settings." });
+    if (!now.under_way) return now.said;
+    const seconds = Math.round((Date.now() - began) / 1000);
+    place.replaceChildren(words + (seconds > 0 ? ` (${seconds} s)` : ""));
+    await new Promise((done) => setTimeout(done, 400));
+  }
+}
+
+/** Why the kiosk's program refused: with the file, where it is another one. */
+function refusal(said) {
+  const file = (said.where ?? "").match(/(?:content|config)\/(.*?\.toml)(?::(\d+))?/);
+  const where = file && file[1] !== "exhibit.toml" ? `${file[1]}${file[2] ? ", line " + file[2] : ""}: ` : "";
+  return Object.assign(new Error(where + said.what), { remedy: said.remedy });
+}
+
+const inWords = (value) => value === undefined || value === null ? "nothing" : Array.isArray(value) ? value.join(", ") : String(value);
+
+/**
+ * A row of a form: the label, an input for the field's kind, what it does, what is allowed, and what is wrong with it.
+ * `how`: {label, lines: of a longer text, lang, help}.
+ */
+function fieldRow(edited, key, field, how = {}) {
+  const id = "field-" + edited.name.replace(/\W/g, "-") + "-" + key.replace(/\W/g, "-");
+  const start = edited.now(key), usual = how.usual ?? plainDefault(field);
+  let input;
+  if (field.kind === "boolean") {
+    input = made("input", { type: "checkbox", checked: start === undefined ? usual === "true" : start === true });
+    input.addEventListener("change", () => edited.want(key, input.checked));
+  } else if (field.choices) {
+    input = made("select", {}, made("option", { value: "" }, usual ? `${usual} (usual)` : "(none)"),
+      ...field.choices.map((one) => made("option", { value: one }, one)));
+    input.value = start ?? "";
+    input.addEventListener("change", () => edited.want(key, input.value === "" ? null : input.value));
+  } else {
+    input = made(how.lines ? "textarea" : "input", { value: Array.isArray(start) ? start.join(", ") : start ?? "", placeholder: usual, autocomplete: "off" });
+    if (how.lines) input.rows = how.lines;
+    if (how.lang) Object.assign(input, { lang: how.lang, dir: "auto" });
+    if (["number", "whole"].includes(field.kind)) input.inputMode = "decimal";
+    input.addEventListener("input", () => edited.want(key, typed(input.value, field)));
+  }
+  Object.assign(input, { id });
+  input.setAttribute("aria-describedby", id + "-said");
+  const fault = made("p", { className: "fault", id: id + "-fault" });
+  fault.setAttribute("role", "alert");
+  const help = [how.help ?? sentence(field.words), how.allowed ?? allowedWords(field)].filter(Boolean).join(" ");
+  const label = made("label", { htmlFor: id }, how.label ?? asLabel(field.key));
+  const unit = field.unit && field.kind !== "boolean" ? made("span", { className: "unit" }, field.unit) : "";
+  const row = made("div", { className: "field " + (field.kind === "boolean" ? "switch" : "") },
+    ...(field.kind === "boolean" ? [input, label] : [label, made("div", { className: "value" }, input, unit)]),
+    made("p", { className: "small", id: id + "-said" }, help), fault);
+  const theirs = made("div", { className: "theirs" });
+  row.append(theirs);
+  edited.rows.set(key, {
+    fault(found, conflict) {
+      fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : []));
+      if (found) input.setAttribute("aria-invalid", "true");
+      else input.removeAttribute("aria-invalid");
+      theirs.replaceChildren();
+      if (!conflict) return;
+      const take = made("button", { type: "button", className: "quiet" }, "Take theirs");
+      take.addEventListener("click", () => { edited.changes.delete(key); edited.rows.clear(); edited.draw(); edited.show(); });
+      const keep = made("button", { type: "button", className: "quiet" }, "Keep mine");
+      keep.addEventListener("click", () => { edited.seen.set(key, edited.was(key)); theirs.replaceChildren(); });
+      theirs.replaceChildren(`Theirs: ${inWords(conflict.theirs)}`, take, keep);
+    },
+  });
+  return row;
+}
+
+/** What was typed, as the file has it; null for nothing. What is no number goes as it is, to be told so. */
+function typed(words, field) {
+  const text = words.trim();
+  if (text === "") return null;
+  if (["number", "whole"].includes(field.kind)) return /^-?\d+(\.\d+)?$/.test(text) ? Number(text) : text;
+  if (field.kind === "texts") return text.split(",").map((one) => one.trim()).filter(Boolean);
+  if (field.kind === "list") return text.startsWith("[") ? text : `[${text}]`;
+  return text;
+}
+function plainDefault(field) {
+  const usual = field.default ?? "";
+  return /[`\[:]/.test(usual) ? "" : usual.replaceAll('"', "");
+}
+const sentence = (words) => {
+  const plain = words.replaceAll("`", "");
+  return plain.charAt(0).toUpperCase() + plain.slice(1) + ".";
+};
+function allowedWords(field) {
+  if (field.kind === "boolean" || field.choices) return "";
+  if (field.least !== undefined) return `${field.least} to ${field.most}.`;
+  return sentence(field.allowed ?? "").replace(/^\.$/, "");
+}
+
+/** Buttons and dragging for the order of a list. `changed` gets the ids in their new order. */
+function orderable(list, changed) {
+  let held = null;
+  const ids = () => [...list.children].map((item) => item.dataset.id);
+  list.addEventListener("click", (event) => {
+    const way = event.target.dataset?.way;
+    if (!way) return;
+    const item = event.target.closest("li"), other = way === "up" ? item.previousElementSibling : item.nextElementSibling;
+    if (!other) return;
+    way === "up" ? other.before(item) : other.after(item);
+    changed(ids(), item);
+    event.target.focus();
+  });
+  list.addEventListener("dragstart", (event) => {
+    held = event.target.closest("li");
+    held.classList.add("held");
+    event.dataTransfer.effectAllowed = "move";
+    event.dataTransfer.setData("text/plain", held.dataset.id);
+  });
+  list.addEventListener("dragover", (event) => {
+    const over = event.target.closest("li");
+    if (!held || !over || over === held) return;
+    event.preventDefault();
+    const box = over.getBoundingClientRect();
+    event.clientY > box.top + box.height / 2 ? over.after(held) : over.before(held);
+  });
+  list.addEventListener("drop", (event) => event.preventDefault());
+  list.addEventListener("dragend", () => {
+    if (!held) return;
+    held.classList.remove("held");
+    changed(ids(), held);
+    held = null;
+  });
+}
+function wayButtons(name) {
+  const button = (way, sign, words) => {
+    const made_ = made("button", { type: "button", className: "quiet way" }, sign);
+    made_.dataset.way = way;
+    made_.setAttribute("aria-label", `${words}: ${name}`);
+    return made_;
+  };
+  return [button("up", "↑", "Further up"), button("down", "↓", "Further down")];
+}
+
+addEventListener("beforeunload", (event) => { if (edits.some((one) => one.dirty)) event.preventDefault(); });
+const edits = [];

@@ -1,0 +1,184 @@
+// Settings: the exhibit's own file as a form, and the changes that can be taken back.
+"use strict";
+
+const languageName = (code) => {
+  try {
+    return new Intl.DisplayNames(["en"], { type: "language" }).of(code) || code;
+  } catch {
+    return code;
+  }
+};
+
+// Labels where a key's own name is not the usual word.
+const LABELS = {
+  credit: "The museum’s name", build: "Vessels may be built of coils", decorate: "Pots may be decorated",
+  "attract.scripts": "What a passer-by sees",
+  "idle.warn_after": "Ask whether somebody is there after", "idle.countdown": "End the visit after that in",
+  "idle.result_after": "Ask after, where people read",
+  "keepsake.quota_mb": "Disk for keepsakes", "keepsake.days": "Keep them for", "keepsake.turning": "Keep a turning picture",
+  "keepsake.gallery": "Show today’s pots to visitors", "store.count": "Count visits", "store.months": "Keep counts for",
+  "screen.viewing_distance_mm": "From the eye to the screen", "screen.diagonal_mm": "Screen, corner to corner",
+  "screen.lower_edge_mm": "Its lower edge above the floor", "screen.reduced_motion": "Less motion",
+  "screen.one_switch": "One switch", "screen.scan_seconds": "Each choice lit for", "screen.spoken": "Read aloud",
+  "screen.silent": "No sound", "screen.force": "Strength of the hand device", "access.hold_to_speak": "Hold to be read to",
+  "hours.every_day": "Every day", "hours.screen_off": "The monitor sleeps when closed",
+};
+// What it does, where the list of keys says it for readers of the file.
+const HELP = {
+  build: "Those that were built so, as Shelf says.", "idle.result_after": "On the result and the keepsake.",
+  "attract.scripts": "“follow” throws a vessel, the others show the clay. Pot by pot, round and round.",
+  "screen.silent": "Whatever the volume is.", "hours.screen_off": "Else it shows a black picture.",
+};
+const SECTIONS = [
+  ["The exhibit", ["credit", "build", "decorate"]],
+  ["When visitors go", ["idle."]],
+  ["Opening hours", ["hours."]],
+  ["Sound", ["sound."]],
+  ["Screen", ["screen.viewing_distance_mm", "screen.diagonal_mm", "screen.lower_edge_mm"]],
+  ["How every visit begins", ["screen.", "access."]],
+  ["Keepsakes and counts", ["keepsake.", "store."]],
+  ["When nobody plays", ["attract."]],
+];
+
+const settings = new Edited("exhibit", $("settings-words"), [$("settings-save"), $("settings-forget")], drawSettings);
+edits.push(settings);
+
+function section(title, ...rows) {
+  return made("fieldset", {}, made("legend", {}, title), made("div", { className: "fields" }, ...rows));
+}
+
+function drawSettings() {
+  const named = (field) => (field.table ? field.table + "." : "") + field.key;
+  const left = settings.fields.filter((field) => !field.any_key && !["order", "hidden", "languages"].includes(named(field)));
+  const sections = SECTIONS.map(([title, keys]) => {
+    const mine = left.filter((field) => keys.some((key) => (key.endsWith(".") ? named(field).startsWith(key) : named(field) === key)));
+    for (const field of mine) left.splice(left.indexOf(field), 1);
+    if (title === "Opening hours") mine.unshift(...mine.splice(mine.findIndex((field) => field.key === "every_day"), 1));
+    const rows = mine.map((field) => fieldRow(settings, named(field), field, settingHow(named(field))));
+    if (title === "The exhibit") rows.push(titleRows(), languageList());
+    if (title === "Opening hours") rows.push(exceptions());
+    return section(title, ...rows);
+  });
+  $("settings-fields").replaceChildren(...sections);
+}
+
+function settingHow(key) {
+  const how = { label: LABELS[key], help: HELP[key] };
+  if (key === "attract.scripts") Object.assign(how, { allowed: "Names with commas between them.", lines: 3 });
+  if (key.startsWith("hours.") && key !== "hours.screen_off") {
+    how.allowed = key === "hours.every_day" ? "10:00-18:00, or 10:00-12:30, 14:00-18:00, or closed. Empty: always open." : "";
+    how.help = key === "hours.every_day" ? "" : "Empty: as every day.";
+  }
+  return how;
+}
+
+/** A title in each language that is offered. */
+function titleRows() {
+  const field = settings.fields.find(({ table }) => table === "title");
+  const languages = settings.now("languages") ?? ["en", "ko"];
+  return made("div", { className: "wide fields" }, ...languages.map((code) => fieldRow(settings, "title." + code, field,
+    { label: "Title, " + languageName(code), lang: code, help: "", allowed: "", usual: "" })));
+}
+
+/** The languages: which, and in which order. */
+function languageList() {
+  const chosen = settings.now("languages") ?? ["en", "ko"];
+  const list = made("ul", { className: "order" });
+  const show = (codes) => {
+    const rest = settings.file.languages.filter((code) => !codes.includes(code));
+    list.replaceChildren(...[...codes, ...rest].map((code) => {
+      const on = codes.includes(code), box = made("input", { type: "checkbox", checked: on, id: "language-" + code });
+      box.addEventListener("change", () => {
+        const next = box.checked ? [...codes, code] : codes.filter((one) => one !== code);
+        settings.want("languages", next);
+        // Its title goes and comes with it.
+        if (settings.was("title." + code) !== undefined) settings.want("title." + code, box.checked ? settings.was("title." + code) : null);
+        else if (!box.checked) settings.drop("title." + code);
+        settings.rows.clear();
+        drawSettings();
+        settings.found(settings.faults);
+        $("language-" + code).focus();
+      });
+      const item = made("li", { draggable: on }, box, made("label", { htmlFor: box.id }, languageName(code)),
+        ...(code === codes[0] ? [made("span", { className: "small" }, "at the start")] : []), ...(on ? wayButtons(languageName(code)) : []));
+      item.dataset.id = code;
+      return item;
+    }));
+  };
+  show(chosen);
+  orderable(list, (ids) => {
+    const codes = settings.now("languages") ?? ["en", "ko"], next = ids.filter((id) => codes.includes(id));
+    settings.want("languages", next);
+    show(next);
+  });
+  const fault = made("p", { className: "fault" });
+  settings.rows.set("languages", { fault: (found) => fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : [])) });
+  return made("div", { className: "field wide" }, made("h3", {}, "Languages"), list, fault);
+}
+
+/** Days with hours of their own. */
+function exceptions() {
+  const field = settings.fields.find(({ table }) => table === "hours.exceptions");
+  const key = (day) => "hours.exceptions." + (/^[\w-]+$/.test(day) ? day : JSON.stringify(day));
+  const days = new Set(Object.keys(settings.was("hours.exceptions") ?? {}));
+  for (const [name] of settings.changes) if (name.startsWith("hours.exceptions.")) days.add(name.slice(17).replaceAll('"', ""));
+  const place = made("div", { className: "fields" });
+  const row = (day) => fieldRow(settings, key(day), field, { label: day, help: "Empty: no exception.", allowed: "", usual: "" });
+  place.append(...[...days].sort().map(row));
+  const day = made("input", { id: "exception-day", placeholder: "12-25", autocomplete: "off" });
+  const add = made("button", { type: "button", className: "quiet" }, "Add this day");
+  add.addEventListener("click", () => {
+    const name = day.value.trim();
+    if (!name || days.has(name)) return day.focus();
+    days.add(name);
+    settings.want(key(name), "closed");
+    place.append(row(name));
+    day.value = "";
+  });
+  return made("div", { className: "field wide" }, made("h3", {}, "Days that are different"), place,
+    made("label", { htmlFor: "exception-day" }, "A date (2026-12-24), or a day of every year (12-24)"),
+    made("div", { className: "value" }, day, add));
+}
+
+async function showSettings() {
+  showRevisions();
+  if (settings.file && settings.dirty) return;
+  try {
+    await waiting($("settings-words"), "Reading…", settings.load());
+    if (!settings.dirty && $("settings-words").textContent === "Reading…") $("settings-words").replaceChildren();
+  } catch (error) {
+    tell($("settings-words"), error);
+  }
+}
+async function showRevisions() {
+  try {
+    const all = await ask("/api/revisions");
+    $("undo").hidden = all.length === 0;
+    $("revisions").replaceChildren(...all.map(({ when, file, words }) => made("li", {}, `${when}  ${file}: ${words.replaceAll("\n", "; ")}`)));
+    $("undo-what").textContent = all.length === 0 ? "Nothing was changed yet." : `The newest: ${all[0].words.replaceAll("\n", "; ")}.`;
+  } catch (error) {
+    tell($("undo-words"), error);
+  }
+}
+
+$("settings-form").addEventListener("submit", async (event) => {
+  event.preventDefault();
+  await settings.save();
+  showRevisions();
+});
+$("settings-forget").addEventListener("click", () => settings.forget());
+$("undo").addEventListener("click", async () => {
+  $("undo").disabled = true;
+  try {
+    const begun = await ask("/api/undo", {});
+    const said = await outcome(begun.number, $("undo-words"), "Looking at the whole exhibit, then taking it back…");
+    if (!said.done) return tell($("undo-words"), refusal(said));
+    $("undo-words").textContent = "Taken back: " + said.words.join(" ");
+    await settings.load();
+  } catch (error) {
+    tell($("undo-words"), error);
+  } finally {
+    $("undo").disabled = false;
+    showRevisions();
+  }
+});

@@ -1,0 +1,130 @@
+// Shelf: the order of the vessels, which of them visitors see, and their labels in all languages.
+"use strict";
+
+let vessels = [];
+const shelfEdit = new Edited("exhibit", $("shelf-words"), [$("shelf-save"), $("shelf-forget")], drawShelf);
+edits.push(shelfEdit);
+
+const titleOf = ({ id, titles }) => {
+  const languages = shelfEdit.file?.values.languages ?? ["en"];
+  return titles[languages[0]] || titles.en || Object.values(titles)[0] || id.replaceAll("_", " ");
+};
+
+function drawShelf() {
+  const order = shelfEdit.now("order") ?? [], hidden = shelfEdit.now("hidden") ?? [];
+  const place = ({ id }) => (order.includes(id) ? order.indexOf(id) : order.length);
+  const sorted = [...vessels].sort((a, b) => place(a) - place(b) || (a.id < b.id ? -1 : 1));
+  $("shelf-list").replaceChildren(...sorted.map((vessel) => {
+    const title = titleOf(vessel), box = made("input", { type: "checkbox", checked: !hidden.includes(vessel.id), id: "seen-" + vessel.id });
+    box.addEventListener("change", () => {
+      const now = shelfEdit.now("hidden") ?? [];
+      shelfEdit.want("hidden", box.checked ? now.filter((id) => id !== vessel.id) : [...now, vessel.id]);
+    });
+    const label = made("button", { type: "button", className: "quiet" }, "Label");
+    label.setAttribute("aria-label", "Label: " + title);
+    label.addEventListener("click", () => openLabel(vessel));
+    const picture = made("img", { src: "/outline/" + vessel.id, alt: "", width: 56, height: 56, draggable: false });
+    picture.addEventListener("error", () => { picture.style.visibility = "hidden"; });
+    const item = made("li", { draggable: true }, made("span", { className: "grip" }, "⠿"), picture,
+      made("div", { className: "title" }, made("h3", { dir: "auto" }, title), made("p", { className: "small" },
+        vessel.id + (vessel.unfinished ? ". Unfinished: visitors do not see it yet." : ""))),
+      made("div", { className: "seen" }, box, made("label", { htmlFor: box.id }, "Shown")), label, made("div", {}, ...wayButtons(title)));
+    item.dataset.id = vessel.id;
+    return item;
+  }));
+}
+orderable($("shelf-list"), (ids) => shelfEdit.want("order", ids));
+
+async function showShelf() {
+  if (labelEdit) return;
+  if (shelfEdit.file && shelfEdit.dirty) return;
+  try {
+    vessels = await waiting($("shelf-words"), "Reading…", ask("/api/shelf"));
+    await shelfEdit.load();
+    if ($("shelf-words").textContent === "Reading…") $("shelf-words").replaceChildren();
+  } catch (error) {
+    tell($("shelf-words"), error);
+  }
+}
+$("shelf-form").addEventListener("submit", (event) => { event.preventDefault(); shelfEdit.save(); });
+$("shelf-forget").addEventListener("click", () => shelfEdit.forget());
+
+// ---- A label
+
+const LINES = { title: 2, culture: 2, made: 4, text: 9, credit: 3 };
+const LABEL_WORDS = { title: "Title", what: "What it is", culture: "Who made it", date: "When", made: "How it was made", text: "Text", credit: "Thanks", address: "Page about it" };
+const ABOUT = {
+  institution: "Who keeps it", accession: "Its number there", source: "Where shape and figures are from", credit: "Whom to thank",
+  licence: "Licence of the shape", address: "The museum’s page", true_height_mm: "Its true height", true_diameter_mm: "Its greatest diameter",
+  glazes: "Glazes to choose from", unfinished: "Unfinished: visitors do not see it yet", built: "It was built of coils",
+  paddle: "Face of its makers’ paddle", way: "How visitors decorate it",
+};
+let labelEdit = null, labelVessel = null;
+
+async function openLabel(vessel) {
+  labelVessel = vessel;
+  labelEdit = new Edited("vessel/" + vessel.id, $("label-words"), [$("label-save"), $("label-forget")], drawLabel);
+  edits.push(labelEdit);
+  $("label-title").textContent = titleOf(vessel);
+  $("label-words").replaceChildren();
+  try {
+    const offered = shelfEdit.file.values.languages ?? ["en", "ko"];
+    // A label comes before its language is offered, too.
+    const others = [...new Set([...offered, ...shelfEdit.file.languages])].slice(1);
+    $("label-beside").replaceChildren(...others.map((code) => made("option", { value: code },
+      languageName(code) + (offered.includes(code) ? "" : " (not offered yet)"))));
+    await labelEdit.load();
+    $("shelf-form").hidden = true;
+    $("label").hidden = false;
+    $("label-title").focus();
+    scrollTo(0, 0);
+  } catch (error) {
+    labelEdit = null;
+    tell($("shelf-words"), error);
+  }
+}
+
+/** What a visitor will read, beside the fields. */
+function preview(code) {
+  const of = (key) => labelEdit.now(`label.${code}.${key}`) ?? "";
+  const card = made("div", { className: "card", lang: code, dir: "auto" });
+  if (!of("title")) {
+    card.append(made("p", { className: "small", dir: "ltr", lang: "en" }, `No label in ${languageName(code)}: visitors read another language’s.`));
+    return card;
+  }
+  card.append(made("h4", {}, of("title")), made("p", { className: "small" }, [of("culture"), of("date")].filter(Boolean).join(", ")),
+    ...[of("text"), of("made")].filter(Boolean).map((words) => made("p", {}, words)), made("p", { className: "small" }, of("credit")));
+  return card;
+}
+
+function drawLabel() {
+  const languages = shelfEdit.file.values.languages ?? ["en", "ko"];
+  const codes = [languages[0], $("label-beside").value];
+  const fields = labelEdit.fields.filter(({ table }) => table === "label.LANGUAGE");
+  $("label-languages").replaceChildren(...codes.map((code) => {
+    const seen = made("div", {}, preview(code));
+    const rows = fields.map((field) => fieldRow(labelEdit, `label.${code}.${field.key}`, field,
+      { label: LABEL_WORDS[field.key], lang: code, lines: LINES[field.key], help: "", usual: "" }));
+    const column = section(languageName(code), ...rows, made("div", { className: "wide" }, made("h3", {}, "What a visitor reads"), seen));
+    column.addEventListener("input", () => seen.replaceChildren(preview(code)));
+    return column;
+  }));
+  const about = Object.keys(ABOUT).map((key) => labelEdit.fields.find((field) => field.table === "" && field.key === key)).filter(Boolean);
+  $("label-about").replaceChildren(...about.map((field) => fieldRow(labelEdit, field.key, field, { label: ABOUT[field.key], help: "", lines: { source: 4, credit: 2, licence: 2, institution: 2, glazes: 2 }[field.key] ?? 0 })));
+  const gaps = languages.filter((code) => !labelEdit.now(`label.${code}.title`));
+  $("label-gaps").textContent = gaps.length === 0 ? "" : "Still without a label: " + gaps.map(languageName).join(", ") + ".";
+}
+$("label-beside").addEventListener("change", () => { labelEdit.rows.clear(); drawLabel(); labelEdit.check(); });
+$("label-form").addEventListener("submit", (event) => { event.preventDefault(); labelEdit.save(); });
+$("label-forget").addEventListener("click", () => labelEdit.forget());
+$("label-close").addEventListener("click", () => {
+  if (labelEdit.dirty) {
+    $("label-words").textContent = "Save your changes first, or forget them.";
+    return;
+  }
+  edits.splice(edits.indexOf(labelEdit), 1);
+  labelEdit = null;
+  $("label").hidden = true;
+  $("shelf-form").hidden = false;
+  showShelf().then(() => document.querySelector(`#shelf-list [data-id="${labelVessel.id}"] button`)?.focus());
+});

@@ -1,0 +1,161 @@
+#include "kiosk/program/console/edit_answers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/kiosk/exhibit/editing/small_site.h"
+
+namespace onggi::console::edit_answers_test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// A browser's request.
+web::Ask asking(const std::string& from = "", const std::string& body = "") {
+  web::Ask ask{"GET", "/"};
+  ask.from = from;
+  ask.body = body;
+  return ask;
+}
+
+/// A site, and in the place of the program one that writes its words down, a line each, and says
+/// that it is done.
+class EditPage : public ::testing::Test {
+ protected:
+  EditPage() {
+    program("printf '%s\\n' \"$@\" > " + words_file().string() +
+            "; echo '{\"done\": true, \"changes\": []}'");
+  }
+  fs::path words_file() const { return folder_ / "words"; }
+  void program(const std::string& script) const {
+    std::ofstream(folder_ / "onggi") << "#!/bin/sh\n" << script << '\n';
+    fs::permissions(folder_ / "onggi", fs::perms(0755));
+  }
+  json get(const std::string& name) { return json::parse(edit_.file(asking(), name).body); }
+  web::Answer save(const std::string& changes, const std::string& tag,
+                   const std::string& name = "exhibit") {
+    const std::string body = R"({"tag": ")" + tag + R"(", "changes": )" + changes + "}";
+    return edit_.save(asking("10.0.0.7", body), name, "maria", 1000);
+  }
+  std::optional<ChangeLog::Change> wait() {
+    for (int n = 0; n < 3000; ++n) {
+      if (const auto change = edit_.ended()) return change;
+      if (!json::parse(edit_.saved().body)["under_way"].get<bool>()) return edit_.ended();
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return std::nullopt;
+  }
+  std::vector<std::string> words() const {
+    std::ifstream in(words_file());
+    std::vector<std::string> out;
+    for (std::string line; std::getline(in, line);) out.push_back(line);
+    return out;
+  }
+
+  editing::test::SmallSite folder_;
+  Site site_ = *Site::open(folder_.path());
+  EditAnswers edit_{site_, folder_ / "onggi"};
+};
+
+TEST_F(EditPage, AFileIsGivenWithItsValuesItsTagAndTheKeysThatMayBeChangedHere) {
+  const json file = get("exhibit");
+  EXPECT_EQ(file["values"]["idle"]["warn_after"], 60);
+  EXPECT_EQ(file["values"]["title"]["ko"], "도자기 빚기");
+  EXPECT_EQ(file["tag"], changes::tag_of(editing::test::content(folder_.exhibit())));
+  EXPECT_EQ(file["languages"].size(), 8u);
+  std::vector<std::string> keys;
+  for (const json& field : file["fields"]["fields"]) keys.push_back(field["key"]);
+  EXPECT_THAT(keys, ::testing::Contains("warn_after"));
+  EXPECT_THAT(keys, ::testing::Not(::testing::Contains("shelf")));
+  EXPECT_THAT(keys, ::testing::Not(::testing::Contains("folder")));
+  folder_.write("config/exhibit.toml", "credit = \n");
+  EXPECT_EQ(edit_.file(asking(), "exhibit").status, 409);
+  EXPECT_EQ(edit_.file(asking(), "vessel/none").status, 404);
+}
+
+TEST_F(EditPage, AChangeIsHandedOnInTheFilesOwnWordsAndNotedWithWhoMadeIt) {
+  const std::string tag = get("exhibit")["tag"];
+  ASSERT_EQ(
+      save(R"([["credit", "Museum \"of\" Clay"], ["idle.warn_after", 90], ["store.months", null]])",
+           tag)
+          .status,
+      202);
+  const auto change = wait();
+  ASSERT_TRUE(change);
+  EXPECT_THAT(words(), ElementsAre("set", "--json", "-", "--if", tag, "--without", "store.months",
+                                   folder_.exhibit().string(), "credit",
+                                   "\"Museum \\\"of\\\" Clay\"", "idle.warn_after", "90"));
+  EXPECT_EQ(change->who, "maria");
+  EXPECT_EQ(change->from, "10.0.0.7");
+  EXPECT_THAT(change->what, HasSubstr("exhibit.toml: credit is \"Museum"));
+  EXPECT_FALSE(edit_.ended());
+  const json saved = json::parse(edit_.saved().body);
+  EXPECT_EQ(saved["number"], 1);
+  EXPECT_EQ(saved["said"]["done"], true);
+}
+
+TEST_F(EditPage, AFileThatSomebodyElseChangedIsNotWritten) {
+  const std::string tag = get("exhibit")["tag"];
+  folder_.by_hand("config/exhibit.toml", "warn_after = 60 ", "warn_after = 70 ");
+  EXPECT_EQ(save(R"([["credit", "Clay"]])", tag).status, 412);
+  EXPECT_EQ(save(R"([["credit", "Clay"]])", "").status, 409);
+  EXPECT_FALSE(fs::exists(words_file()));
+  EXPECT_EQ(save(R"([["credit", "Clay"]])", get("exhibit")["tag"]).status, 202);
+  EXPECT_TRUE(wait());
+}
+
+TEST_F(EditPage, AFaultIsSaidAtOnceAndNothingBegins) {
+  const web::Answer answer = save(R"([["idle.warn_after", 5]])", get("exhibit")["tag"]);
+  EXPECT_EQ(answer.status, 409);
+  EXPECT_EQ(json::parse(answer.body)["faults"][0]["key"], "idle.warn_after");
+  EXPECT_EQ(save("[]", get("exhibit")["tag"]).status, 409);
+  EXPECT_FALSE(fs::exists(words_file()));
+}
+
+TEST_F(EditPage, TwoAtOnceMakeNoMixture) {
+  program("while [ ! -e " + (folder_ / "go").string() +
+          " ]; do sleep 0.02; done; echo '{\"done\": false}'");
+  const std::string tag = get("exhibit")["tag"];
+  ASSERT_EQ(save(R"([["credit", "A"]])", tag).status, 202);
+  const web::Answer second = save(R"([["credit", "B"]])", tag);
+  EXPECT_EQ(second.status, 503);
+  EXPECT_THAT(second.body, HasSubstr("Another change is being made"));
+  EXPECT_EQ(edit_.undo(asking(), "joon", 1).status, 503);
+  folder_.write("go", "");
+  EXPECT_FALSE(wait());  // refused by the program: nothing to note
+}
+
+TEST_F(EditPage, TakingBackIsAskedOfTheProgramAndNoted) {
+  ASSERT_EQ(edit_.undo(asking("10.0.0.8"), "joon", 1000).status, 202);
+  const auto change = wait();
+  ASSERT_TRUE(change);
+  EXPECT_THAT(words(), ElementsAre("undo", "--json", "-", "--config", folder_.exhibit().string()));
+  EXPECT_EQ(change->did, "took back");
+}
+
+TEST_F(EditPage, TheShelfIsInTheOrderOfVisitorsWithWhatTheyDoNotSee) {
+  for (const char* id : {"olla", "albarello", "tea_bowl"})
+    fs::copy(fs::path("content/vessels") / id, folder_ / "content/vessels" / id);
+  folder_.by_hand("config/exhibit.toml", "order = [\"moon_jar\"]",
+                  "order = [\"tea_bowl\", \"olla\"]");
+  folder_.by_hand("config/exhibit.toml", "hidden = []", "hidden = [\"olla\"]");
+  const json shelf = json::parse(edit_.shelf(asking()).body);
+  std::vector<std::string> ids;
+  for (const json& one : shelf) ids.push_back(one["id"]);
+  EXPECT_THAT(ids, ElementsAre("tea_bowl", "olla", "albarello", "moon_jar"));
+  EXPECT_EQ(shelf[1]["hidden"], true);
+  EXPECT_EQ(shelf[3]["titles"]["ko"], "달항아리");
+  EXPECT_EQ(edit_.outline(asking(), "tea_bowl").type, "image/svg+xml");
+  EXPECT_EQ(edit_.outline(asking(), "../tea_bowl").status, 404);
+}
+
+}  // namespace
+}  // namespace onggi::console::edit_answers_test

@@ -1,0 +1,131 @@
+#include "kiosk/program/console/edited_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "kiosk/collection/settings/exhibit.h"
+#include "kiosk/ground/toml/stand_in.h"
+#include "tests/kiosk/exhibit/editing/small_site.h"
+
+namespace onggi::console::edited_file_test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class Editing : public ::testing::Test {
+ protected:
+  EditedFile file(const std::string& name) { return *EditedFile::find(site_, name); }
+  /// What is wrong with `changes`, a JSON list.
+  std::vector<ChangeFault> faults(const std::string& name, const std::string& changes) {
+    const EditedFile edited = file(name);
+    const auto wanted = edited.changes_in(changes);
+    EXPECT_TRUE(wanted) << changes;
+    std::vector<ChangeFault> out;
+    draft_ = edited.draft_of(*edited.text(), *wanted, out);
+    for (ChangeFault& fault : edited.faults_of(draft_, *edited.text())) out.push_back(fault);
+    return out;
+  }
+  /// The exhibit as it would be.
+  settings::Exhibit as_changed() const {
+    const toml::StandIn change(folder_.exhibit(), draft_.text);
+    return settings::read_exhibit(folder_.exhibit()).exhibit;
+  }
+
+  editing::test::SmallSite folder_;
+  Site site_ = *Site::open(folder_.path());
+  changes::Draft draft_;
+};
+
+TEST_F(Editing, WhatTheReaderRefusesIsSaidAtItsKeyInTheReadersWords) {
+  const auto wrong = faults("exhibit", R"([["idle.warn_after", 5], ["credit", "Clay"]])");
+  ASSERT_EQ(wrong.size(), 1u);
+  EXPECT_EQ(wrong[0].key, "idle.warn_after");
+  EXPECT_THAT(wrong[0].what, HasSubstr("the smallest allowed value is 20 s"));
+  EXPECT_FALSE(wrong[0].remedy.empty());
+  const auto word = faults("exhibit", R"([["idle.warn_after", "soon"]])");
+  ASSERT_EQ(word.size(), 1u);
+  EXPECT_THAT(word[0].what, HasSubstr("not a number"));
+  const auto hours = faults("exhibit", R"([["hours.monday", "10-12"]])");
+  ASSERT_FALSE(hours.empty());
+  EXPECT_EQ(hours[0].key, "hours.monday");
+  const auto language = faults("exhibit", R"([["languages", ["en", "xx"]], ["title.ko", null]])");
+  ASSERT_EQ(language.size(), 2u);
+  EXPECT_EQ(language[0].key, "languages");
+  EXPECT_EQ(language[1].key, "title.xx");
+  EXPECT_TRUE(faults("exhibit", R"([["idle.warn_after", 90], ["sound.volume", 0.25]])").empty());
+}
+
+TEST_F(Editing, EveryFaultOfSeveralIsSaidAtOnce) {
+  const auto wrong = faults(
+      "exhibit", R"([["idle.warn_after", 5], ["sound.volume", 7], ["credit", ""], ["no.key", 1]])");
+  std::vector<std::string> keys;
+  for (const ChangeFault& fault : wrong) keys.push_back(fault.key);
+  EXPECT_THAT(
+      keys, ::testing::UnorderedElementsAre("idle.warn_after", "sound.volume", "credit", "no.key"));
+}
+
+TEST_F(Editing, AnOldFaultIsNoFaultOfTheChange) {
+  folder_.by_hand("config/exhibit.toml", "countdown = 25 ", "countdown = 1 ");
+  EXPECT_TRUE(faults("exhibit", R"([["credit", "Clay"]])").empty());
+}
+
+TEST_F(Editing, ALabelIsCheckedAsAVesselsFileIs) {
+  const auto wrong =
+      faults("vessel/moon_jar", R"([["label.en.title", "   "], ["true_height_mm", 2]])");
+  std::vector<std::string> keys;
+  for (const ChangeFault& fault : wrong) keys.push_back(fault.key);
+  EXPECT_THAT(keys, ::testing::UnorderedElementsAre("label.en.title", "true_height_mm"));
+  EXPECT_TRUE(faults("vessel/moon_jar", R"([["label.ko.title", "달항아리 둘"]])").empty());
+}
+
+TEST_F(Editing, WhereFilesLieOnTheMachineIsNotChangedHere) {
+  for (const char* key : {"shelf", "scene", "keepsake.folder", "reader.file_mb", "phone.address",
+                          "vessel_scenes.moon_jar", "missions"}) {
+    const auto wrong = faults("exhibit", std::string("[[\"") + key + R"(", "/etc"]])");
+    ASSERT_EQ(wrong.size(), 1u) << key;
+    EXPECT_TRUE(draft_.values.empty()) << key;
+  }
+  EXPECT_EQ(faults("vessel/moon_jar", R"([["drawing", "../../../secret.toml"]])").size(), 1u);
+}
+
+TEST_F(Editing, AVesselIsAFolderOfTheShelfAndNothingElse) {
+  folder_.write("content/vessel.toml", "true_height_mm = 1\n");
+  for (const char* name : {"vessel/..", "vessel/../vessels/moon_jar", "vessel/", "vessel/.",
+                           "vessel/none", "vessel/moon_jar/..", "", "scene", "exhibit/"})
+    EXPECT_FALSE(EditedFile::find(site_, name)) << name;
+  EXPECT_TRUE(EditedFile::find(site_, "vessel/moon_jar"));
+}
+
+TEST_F(Editing, WhatIsNoListOfChangesIsRefused) {
+  for (const char* wrong :
+       {"", "{}", "[1]", R"([["a"]])", R"([["a", {}]])", R"([[1, 2]])", R"([["a", [[{}]]]])", "[["})
+    EXPECT_FALSE(file("exhibit").changes_in(wrong)) << wrong;
+  EXPECT_TRUE(file("exhibit").changes_in("[]"));
+}
+
+TEST_F(Editing, ATextOfAnyLettersIsWrittenSoThatItReadsBackTheSame) {
+  std::mt19937 random(4);
+  static const std::vector<std::string> kLetters{
+      "a", "'", "\"", "\\", "#", "é", "도", "器", "=", "[", ", ", "\xF0\x9F\x8F\xBA", "{", "%"};
+  for (int n = 0; n < 200; ++n) {
+    std::string text = "x";
+    for (std::size_t k = random() % 12; k > 0; --k) text += kLetters[random() % kLetters.size()];
+    const nlohmann::json change = {{"credit", text}};
+    ASSERT_TRUE(faults("exhibit", nlohmann::json::array({{"credit", text}}).dump()).empty())
+        << text;
+    EXPECT_EQ(as_changed().credit, text);
+  }
+}
+
+TEST_F(Editing, AnEmptyPlaceTakesTheKeyOutAndItsDefaultHolds) {
+  EXPECT_TRUE(faults("exhibit", R"([["idle.countdown", null], ["order", ["moon_jar"]]])").empty());
+  EXPECT_THAT(draft_.text, ::testing::Not(HasSubstr("countdown")));
+  EXPECT_EQ(as_changed().idle.countdown, 25);
+}
+
+}  // namespace
+}  // namespace onggi::console::edited_file_test
