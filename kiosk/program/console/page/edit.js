@@ -48,6 +48,7 @@ class Edited {
 
   /** Somebody wants `value` at `key`; null takes the key out. */
   want(key, value) {
+    if (!this.dirty) this.place.replaceChildren(); // what was said of the last change
     if (same(value, this.was(key))) this.changes.delete(key);
     else {
       if (!this.changes.has(key)) this.seen.set(key, this.was(key));

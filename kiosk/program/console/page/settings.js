@@ -173,8 +173,8 @@ $("undo").addEventListener("click", async () => {
     const begun = await ask("/api/undo", {});
     const said = await outcome(begun.number, $("undo-words"), "Looking at the whole exhibit, then taking it back…");
     if (!said.done) return tell($("undo-words"), refusal(said));
-    $("undo-words").textContent = "Taken back: " + said.words.join(" ");
     await settings.load();
+    $("undo-words").textContent = "Taken back: " + said.words.join(" ");
   } catch (error) {
     tell($("undo-words"), error);
   } finally {

@@ -4,78 +4,19 @@ finding, printing, a pass for a phone, deleting; files with a slip; the program 
 usage: staff_page_test.py --console build/.../onggi-console --onggi build/.../onggi [--every] [--pictures DIR]
 Skipped (77) where there is no chromium.
 """
-import argparse
 import fcntl
 import itertools
-import pathlib
 import re
-import shutil
 import subprocess
-import sys
-import tempfile
 import time
-import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[4]
-sys.path.insert(0, str(ROOT / "tests/kiosk/keepsake/phone"))
-import browser as browsers  # noqa: E402
+import staff_site
+from staff_site import JAR, OLLA, SIZES, browsers
 
-SIZES = {"desk": (1280, 800), "tablet": (820, 1180), "phone": (360, 740)}
-PARTS = {"now": "#lines li", "desk": "#found:not(:empty)", "figures": "#figures-words:not(:empty)", "files": "#files-list li"}
-JAR, OLLA = "2026-05-28_141503_moon_jar", "2026-05-28_101500_olla"
+SHOWN = [part for part in staff_site.PARTS if part != "people"]
 
 
-class StaffPage(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="onggi-staff-"))
-        shutil.copytree(ROOT / "config", self.folder / "config")
-        for name in ("languages", "lessons", "ways", "vessels/moon_jar"):
-            shutil.copytree(ROOT / "content" / name, self.folder / "content" / name)
-        for name in ("glazes.toml", "missions.toml", "names.toml"):
-            shutil.copy(ROOT / "content" / name, self.folder / "content" / name)
-        self.exhibit = self.folder / "config/exhibit.toml"
-        self.kept = self.folder / "keepsakes"
-        for visit in (JAR, OLLA):
-            (self.kept / visit).mkdir(parents=True)
-            for name in ("postcard.jpg", "small.jpg"):  # its bytes say what it is
-                shutil.copy(ROOT / "kiosk/docs/pictures/sheet.png", self.kept / visit / name)
-        (self.kept / JAR / "name.txt").write_text("quiet-blue-heron\n")
-        self.site = [ARGUMENTS.console, "--site", str(self.folder), "--state", str(self.folder / "state")]
-        self.console = subprocess.Popen([*self.site, "--listen", "127.0.0.1:0"],
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        said = self.console.stdout.readline() + self.console.stdout.readline()
-        self.way_in = re.search(r"http://\S+", said)[0]
-        self.at = self.way_in[:self.way_in.index("/?")]
-        self.browser = browsers.Browser()
-
-    def tearDown(self):
-        self.browser.__exit__()
-        self.console.terminate()
-        self.console.wait()
-        self.console.stdout.close()
-        self.console.stderr.close()
-        shutil.rmtree(self.folder)
-
-    def page(self, size="desk", **kept):
-        return self.browser.page(*SIZES[size], scale=1, **kept)
-
-    def open(self, page, part="now"):
-        page.go(f"{self.at}/#{part}")
-        page.wait("!!document.querySelector('" + PARTS[part] + "')", part)
-
-    def looked_at(self, page, name):
-        looks = page.value(browsers.LAYOUT)
-        self.assertEqual(looks["found"], [], name)
-        self.assertGreater(looks["words"], 0, name)
-        self.assertEqual(page.complaints(), [], name)
-        self.assertEqual([a for a in page.asked() if not a.startswith((self.at, "about:", "data:"))], [], name)
-        if ARGUMENTS.pictures:
-            pathlib.Path(ARGUMENTS.pictures).mkdir(parents=True, exist_ok=True)
-            page.picture(pathlib.Path(ARGUMENTS.pictures) / (name + ".png"))
-
-    def text(self, page, selector):
-        return page.value(f"document.querySelector({selector!r}).innerText")
-
+class StaffPage(staff_site.StaffSite):
     def test_every_part_on_every_screen_light_and_dark(self):
         with self.page() as page:
             page.go(self.way_in)
@@ -85,10 +26,10 @@ class StaffPage(unittest.TestCase):
             self.assertIn("does not run", self.text(page, "#lines"))
             cookie = page.say("Network.getCookies")["cookies"][0]
             self.assertTrue(cookie["httpOnly"] and cookie["sameSite"] == "Strict")
-        every = list(itertools.product(PARTS, SIZES, (False, True)))
-        some = [(part, list(SIZES)[n % 3], n % 2 == 1) for n, part in enumerate(PARTS)] + [("desk", "phone", True)]
-        for part, size, dark in every if ARGUMENTS.every else some:
-            if part == "files" and not CHECKS:
+        every = list(itertools.product(SHOWN, SIZES, (False, True)))
+        some = [(part, list(SIZES)[n % 3], n % 2 == 1) for n, part in enumerate(SHOWN)] + [("desk", "phone", True)]
+        for part, size, dark in every if staff_site.ARGUMENTS.every else some:
+            if part == "files" and not staff_site.checks():
                 continue
             with self.page(size, dark=dark) as page:
                 page.say("Network.setCookie", name=cookie["name"], value=cookie["value"], url=self.at)
@@ -156,7 +97,7 @@ class StaffPage(unittest.TestCase):
             self.assertEqual(page.complaints(), [])
 
     def test_a_slip_in_a_file_is_said_with_its_line_and_gone_when_it_is_mended(self):
-        if not CHECKS:
+        if not staff_site.checks():
             self.skipTest("onggi is not built here, and the page asks it")
         good = self.exhibit.read_text()
         self.exhibit.write_text(good.replace("warn_after = 60 ", "warn_after = -5 "))
@@ -266,14 +207,4 @@ class StaffPage(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--console", required=True)
-    parser.add_argument("--onggi", required=True)
-    parser.add_argument("--every", action="store_true")
-    parser.add_argument("--pictures")
-    ARGUMENTS, rest = parser.parse_known_args()
-    CHECKS = pathlib.Path(ARGUMENTS.onggi).exists()
-    if browsers.program() is None:
-        print("There is no chromium here: sudo apt install chromium")
-        sys.exit(77)
-    unittest.main(argv=[sys.argv[0], *rest])
+    staff_site.main()

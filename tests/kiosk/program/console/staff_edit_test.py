@@ -1,0 +1,187 @@
+"""Changing an exhibit on the staff's page, in a real browser: a value that is wrong and then right, a language, an exception,
+the shelf by arrows, by dragging and hidden, a label beside another language's, somebody else's change meanwhile, and undo.
+
+usage: staff_edit_test.py --console build/.../onggi-console --onggi build/.../onggi [--pictures DIR]
+Skipped (77) where there is no chromium.
+"""
+import shutil
+import sys
+import time
+import tomllib
+
+import staff_site
+from staff_site import ROOT
+
+PATIENCE = 90  # s: the whole exhibit is looked at before a change is written
+
+
+class StaffEdit(staff_site.StaffSite):
+    def setUp(self):
+        super().setUp()
+        if not staff_site.checks():
+            self.skipTest("onggi is not built here, and the page lets it write")
+        for vessel in ("olla", "tea_bowl"):
+            shutil.copytree(ROOT / "content/vessels" / vessel, self.folder / "content/vessels" / vessel)
+
+    def values(self, name="config/exhibit.toml"):
+        return tomllib.loads((self.folder / name).read_text())
+
+    def type(self, page, key, value, file="exhibit"):
+        page.value(f"""(() => {{ const i = document.getElementById("field-{file}-{key}");
+            i.value = {value!r}; i.dispatchEvent(new Event("input", {{bubbles: true}})); }})()""")
+
+    def fault(self, key, file="exhibit"):
+        return f"document.getElementById('field-{file}-{key}-fault').innerText"
+
+    def save(self, page, form="settings"):
+        page.wait(f"!document.getElementById('{form}-save').disabled", "it can be saved")
+        page.tap(f"#{form}-save")
+        page.wait(f"document.getElementById('{form}-words').innerText.startsWith('Saved')", "saved", PATIENCE)
+
+    def test_a_value_is_refused_at_its_field_then_saved_and_taken_back(self):
+        before = self.exhibit.read_text()
+        with self.page() as page:
+            self.come_in(page, "settings")
+            self.type(page, "idle-warn_after", "5")
+            page.wait(self.fault("idle-warn_after") + ".includes('the smallest allowed value is 20 s')", "the fault")
+            self.assertTrue(page.value("document.getElementById('settings-save').disabled"))
+            self.looked_at(page, "fault")
+            self.type(page, "idle-warn_after", "90")
+            page.wait(self.fault("idle-warn_after") + " === ''", "it is right")
+            self.type(page, "credit", 'Museum of "Clay"')
+            self.save(page)
+            self.assertEqual(self.values()["idle"]["warn_after"], 90)
+            self.assertEqual(self.values()["credit"], 'Museum of "Clay"')
+            self.assertEqual(len(self.exhibit.read_text().splitlines()), len(before.splitlines()))
+            page.wait("document.getElementById('undo-what').innerText.includes('60 -> 90')", "what can be taken back")
+            page.tap("#undo")
+            page.wait("document.getElementById('undo-words').innerText.startsWith('Taken back')", "taken back", PATIENCE)
+            self.assertEqual(self.exhibit.read_text(), before)
+            self.assertEqual(page.value("document.getElementById('field-exhibit-idle-warn_after').value"), "60")
+            page.value("location.hash = '#people'")
+            page.value("document.getElementById('changes').open = true")
+            page.wait("document.getElementById('changes-list').innerText.includes('idle.warn_after is 90 now')", "who did it")
+            self.assertEqual(page.complaints(), [])
+
+    def test_a_language_asks_for_its_title_and_a_day_for_its_hours(self):
+        with self.page("tablet") as page:
+            self.come_in(page, "settings")
+            page.tap("#language-fr")
+            page.wait(self.fault("title-fr") + ".includes('There is no title')", "no title yet")
+            self.looked_at(page, "language")
+            self.type(page, "title-fr", "Faites un pot")
+            page.wait(self.fault("title-fr") + " === ''", "it has one")
+            page.tap("#language-ko")
+            page.tap("[data-id=fr] [data-way=up]")
+            self.type(page, "hours-every_day", "10:00-18:00")
+            page.value("document.getElementById('exception-day').value = '12-25'")
+            page.tap("#exception-day + button")
+            self.save(page)
+            values = self.values()
+            self.assertEqual(values["languages"], ["fr", "en"])
+            self.assertEqual(values["title"], {"en": "Make a pot", "fr": "Faites un pot"})
+            self.assertEqual(values["hours"], {"every_day": "10:00-18:00", "exceptions": {"12-25": "closed"}})
+            self.type(page, "hours-every_day", "")
+            self.type(page, "hours-exceptions-12-25", "")
+            self.save(page)
+            self.assertNotIn("hours", self.values())
+
+    def test_somebody_elses_change_is_shown_and_nobodys_is_lost(self):
+        with self.page() as page:
+            self.come_in(page, "settings")
+            self.type(page, "idle-warn_after", "90")
+            self.type(page, "idle-countdown", "40")
+            page.wait("!document.getElementById('settings-save').disabled", "it can be saved")
+            self.exhibit.write_text(self.exhibit.read_text().replace("warn_after = 60 ", "warn_after = 70 ")
+                                    .replace("result_after = 120 ", "result_after = 130 "))
+            page.tap("#settings-save")
+            page.wait("document.getElementById('settings-words').innerText.includes('Somebody else')", "it is told")
+            self.assertEqual(self.values()["idle"], {"warn_after": 70, "countdown": 25, "result_after": 130})
+            self.assertIn("Theirs: 70", self.text(page, "#settings-fields"))
+            self.assertEqual(page.value("document.getElementById('field-exhibit-idle-warn_after').value"), "90")
+            self.assertEqual(page.value("document.getElementById('field-exhibit-idle-result_after').value"), "130")
+            self.looked_at(page, "meanwhile", but="412")
+            page.tap(".theirs button")
+            self.assertEqual(page.value("document.getElementById('field-exhibit-idle-warn_after').value"), "70")
+            self.save(page)
+            self.assertEqual(self.values()["idle"], {"warn_after": 70, "countdown": 40, "result_after": 130})
+
+    def test_the_shelf_is_ordered_by_arrows_and_by_dragging_and_a_vessel_hidden(self):
+        with self.page() as page:
+            self.come_in(page, "shelf")
+            ids = "[...document.querySelectorAll('#shelf-list li')].map((item) => item.dataset.id)"
+            self.assertEqual(page.value(ids), ["moon_jar", "olla", "tea_bowl"])
+            page.tap("[data-id=tea_bowl] [data-way=up]")
+            self.assertEqual(page.value(ids), ["moon_jar", "tea_bowl", "olla"])
+            page.tap("#seen-olla")
+            self.drag(page, "[data-id=tea_bowl] .grip", "[data-id=moon_jar] .grip")
+            page.wait(f"{ids}[0] === 'tea_bowl'", "it was dragged")
+            self.save(page, "shelf")
+            self.assertEqual(self.values()["order"], ["tea_bowl", "moon_jar", "olla"])
+            self.assertEqual(self.values()["hidden"], ["olla"])
+            self.assertTrue((self.folder / "content/vessels/olla").is_dir())
+            self.looked_at(page, "shelf_saved")
+
+    def drag(self, page, start, end):
+        page.say("Emulation.setTouchEmulationEnabled", enabled=False)
+        page.say("Input.setInterceptDrags", enabled=True)
+        (x, y), mouse = page.middle(start), dict(button="left", buttons=1, clickCount=1)
+        page.say("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, **mouse)
+        page.say("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y - 8, **mouse)
+        page.browser.until(lambda: page.events("Input.dragIntercepted"), "a drag")
+        data = page.events("Input.dragIntercepted")[-1]["data"]
+        to_x, to_y = page.middle(end)
+        for kind in ("dragEnter", "dragOver", "drop"):
+            page.say("Input.dispatchDragEvent", type=kind, x=to_x, y=to_y - 20, data=data)
+        page.say("Input.dispatchMouseEvent", type="mouseReleased", x=to_x, y=to_y - 20, **mouse)
+
+    def test_a_label_is_written_beside_another_languages_and_seen_as_a_visitor_will(self):
+        with self.page() as page:
+            self.come_in(page, "shelf")
+            page.tap("[data-id=tea_bowl] button")
+            page.wait("!document.getElementById('label').hidden", "the label")
+            file = "vessel-tea_bowl"
+            self.type(page, "label-ko-title", "다완 하나", file)
+            page.wait("document.querySelector('#label-languages [lang=ko].card h4').innerText === '다완 하나'", "as a visitor reads it")
+            self.type(page, "label-en-title", "x" * 61, file)
+            page.wait(self.fault("label-en-title", file) + " !== ''", "too long")
+            self.looked_at(page, "label")
+            self.type(page, "label-en-title", "A tea bowl", file)
+            page.value("""(() => { const s = document.getElementById('label-beside'); s.value = 'ar';
+                s.dispatchEvent(new Event('change', {bubbles: true})); })()""")
+            page.wait("!!document.querySelector('#label-languages [lang=ar].card')", "Arabic beside it")
+            self.looked_at(page, "label_arabic")
+            page.tap("#label-close")
+            self.assertIn("Save your changes first", self.text(page, "#label-words"))
+            self.save(page, "label")
+            label = self.values("content/vessels/tea_bowl/vessel.toml")["label"]
+            self.assertEqual((label["en"]["title"], label["ko"]["title"]), ("A tea bowl", "다완 하나"))
+            page.tap("#label-close")
+            page.wait("document.querySelector('[data-id=tea_bowl] h3').innerText === 'A tea bowl'", "on the shelf")
+
+    def test_the_desk_changes_nothing(self):
+        with self.page() as page:
+            self.come_in(page, "people")
+            for name, role in (("joon", "editor"), ("maria", "desk")):
+                for field, value in (("name", name), ("role", role), ("passphrase", "the passphrase of " + name)):
+                    page.value(f"document.getElementById('person-{field}').value = {value!r}")
+                page.tap("#person button")
+                page.wait(f"document.querySelector('#people-list').innerText.includes({name!r})", name)
+        with self.page() as page:
+            page.go(self.at)
+            page.wait("!document.getElementById('enter').hidden", "to sign in")
+            for field, value in (("name", "maria"), ("passphrase", "the passphrase of maria")):
+                page.value(f"document.getElementById({field!r}).value = {value!r}")
+            page.tap("#enter button")
+            page.wait("!!document.querySelector('#lines li')", "maria is in")
+            self.assertTrue(page.value("document.querySelector(\"nav a[href='#settings']\").hidden"))
+            page.value("location.hash = '#settings'")
+            time.sleep(0.3)
+            self.assertFalse(page.value("document.querySelector('[data-part=now]').hidden"))
+            self.assertEqual(page.value("fetch('/api/edit/exhibit').then((answer) => answer.status)"), 403)
+            self.assertEqual(page.value("""fetch('/api/undo', {method: 'POST', headers: {'Content-Type': 'application/json'},
+                body: '{}'}).then((answer) => answer.status)"""), 403)
+
+
+if __name__ == "__main__":
+    sys.exit(staff_site.main())
