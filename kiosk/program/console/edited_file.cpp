@@ -7,8 +7,12 @@
 #include <utility>
 
 #include "kiosk/collection/content/content_fields.h"
+#include "kiosk/collection/content/glaze.h"
+#include "kiosk/collection/content/lesson.h"
 #include "kiosk/collection/content/pack.h"
 #include "kiosk/collection/settings/exhibit_fields.h"
+#include "kiosk/collection/settings/mission_fields.h"
+#include "kiosk/collection/settings/mission_file.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/toml/stand_in.h"
 #include "kiosk/ground/toml/toml_places.h"
@@ -55,6 +59,32 @@ const std::set<std::string> kMachinesOwn{
     "shelf", "scene",    "built_scene",     "rubric", "lesson", "build_lesson", "glazes",
     "ways",  "missions", "keepsake.folder", "phone",  "reader", "vessel_scenes"};
 const std::set<std::string> kFilesOwn{"drawing", "decoration", "node", "units", "up", "color"};
+// The name of an element is how others know it.
+const std::set<std::string> kNames{"mission.id", "glaze.id", "step.id"};
+
+const std::set<std::string>& left_out_of(const fields::FieldList& list) {
+  if (&list == &settings::exhibit_fields()) return kMachinesOwn;
+  return &list == &content::vessel_fields() ? kFilesOwn : kNames;
+}
+
+std::vector<Problem> of_exhibit(const fs::path& file, const std::vector<std::string>&) {
+  return settings::read_exhibit(file, files::language_folder(file)).problems;
+}
+std::vector<Problem> of_vessel(const fs::path& file, const std::vector<std::string>& languages) {
+  content::PackRead read = content::read_pack(file, languages);
+  std::vector<Problem> out = std::move(read.problems);
+  out.insert(out.end(), read.advice.begin(), read.advice.end());
+  return out;
+}
+std::vector<Problem> of_missions(const fs::path& file, const std::vector<std::string>& languages) {
+  return settings::read_missions(file, languages).problems;
+}
+std::vector<Problem> of_glazes(const fs::path& file, const std::vector<std::string>& languages) {
+  return content::read_glazes(file, languages).problems;
+}
+std::vector<Problem> of_lesson(const fs::path& file, const std::vector<std::string>& languages) {
+  return content::read_lesson(file, languages).problems;
+}
 
 bool is_a_folders_name(const std::string& id) {
   return !id.empty() && id[0] != '.' && id.find('/') == std::string::npos;
@@ -62,11 +92,10 @@ bool is_a_folders_name(const std::string& id) {
 
 }  // namespace
 
-EditedFile::EditedFile(Kind kind, fs::path path, std::vector<std::string> languages)
-    : kind_(kind), path_(std::move(path)), languages_(std::move(languages)) {
-  const bool exhibit = kind == Kind::exhibit;
-  const fields::FieldList& all = exhibit ? settings::exhibit_fields() : content::vessel_fields();
-  const std::set<std::string>& left_out = exhibit ? kMachinesOwn : kFilesOwn;
+EditedFile::EditedFile(fs::path path, std::vector<std::string> languages,
+                       const fields::FieldList& all, Reader reader)
+    : path_(std::move(path)), languages_(std::move(languages)), reader_(reader) {
+  const std::set<std::string>& left_out = left_out_of(all);
   list_.file = all.file;
   std::ranges::copy_if(all.fields, std::back_inserter(list_.fields), [&](const fields::Field& f) {
     return !left_out.contains(f.table) && !left_out.contains(f.name());
@@ -75,14 +104,24 @@ EditedFile::EditedFile(Kind kind, fs::path path, std::vector<std::string> langua
 
 std::optional<EditedFile> EditedFile::find(Site& site, const std::string& name) {
   const settings::Exhibit& exhibit = site.exhibit();
-  if (name == "exhibit") return EditedFile(Kind::exhibit, site.file(), exhibit.languages);
+  const std::vector<std::string>& languages = exhibit.languages;
+  std::error_code error;
+  const auto there = [&](const std::optional<fs::path>& file, const fields::FieldList& list,
+                         Reader reader) -> std::optional<EditedFile> {
+    if (!file || !fs::is_regular_file(*file, error)) return std::nullopt;
+    return EditedFile(*file, languages, list, reader);
+  };
+  if (name == "exhibit") return there(site.file(), settings::exhibit_fields(), of_exhibit);
+  if (name == "missions") return there(exhibit.missions, settings::mission_fields(), of_missions);
+  if (name == "glazes") return there(exhibit.glazes, content::glaze_fields(), of_glazes);
+  if (name == "lesson") return there(exhibit.lesson, content::lesson_fields(), of_lesson);
+  if (name == "build_lesson")
+    return there(exhibit.build_lesson, content::lesson_fields(), of_lesson);
   constexpr std::string_view kVessel = "vessel/";
   if (!name.starts_with(kVessel)) return std::nullopt;
   const std::string id = name.substr(kVessel.size());
-  const fs::path file = exhibit.shelf / id / "vessel.toml";
-  std::error_code error;
-  if (!is_a_folders_name(id) || !fs::is_regular_file(file, error)) return std::nullopt;
-  return EditedFile(Kind::vessel, file, exhibit.languages);
+  if (!is_a_folders_name(id)) return std::nullopt;
+  return there(exhibit.shelf / id / "vessel.toml", content::vessel_fields(), of_vessel);
 }
 
 Result<std::string> EditedFile::text() const {
@@ -121,26 +160,17 @@ changes::Draft EditedFile::draft_of(const std::string& text,
   return draft;
 }
 
-std::vector<Problem> EditedFile::problems() const {
-  if (kind_ == Kind::exhibit)
-    return settings::read_exhibit(path_, files::language_folder(path_)).problems;
-  content::PackRead read = content::read_pack(path_, languages_);
-  std::vector<Problem> out = std::move(read.problems);
-  out.insert(out.end(), read.advice.begin(), read.advice.end());
-  return out;
-}
-
 std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
                                                const std::string& text) const {
   if (draft.text == text) return {};
   std::vector<Problem> after;
   {
     const toml::StandIn change(path_, draft.text);
-    after = problems();
+    after = reader_(path_, languages_);
   }
   if (after.empty()) return {};
   std::set<std::string> before;
-  for (const Problem& problem : problems()) before.insert(name_of(problem));
+  for (const Problem& problem : reader_(path_, languages_)) before.insert(name_of(problem));
   std::vector<ChangeFault> out;
   for (const Problem& problem : after) {
     if (before.contains(name_of(problem))) continue;

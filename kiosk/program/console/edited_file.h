@@ -18,11 +18,11 @@ struct ChangeFault {
   std::string what, remedy;
 };
 
-/// A curator's file as the page changes it: the exhibit's own, or a vessel's. Reads the disk at
-/// each call. One thread.
+/// A curator's file as the page changes it. Reads the disk at each call. One thread.
 class EditedFile {
  public:
-  /// "exhibit", or "vessel/ID" of a folder on the shelf. None for all else.
+  /// "exhibit"; "missions", "glazes", "lesson" or "build_lesson", where the exhibit has one;
+  /// "vessel/ID" of a folder on the shelf. None for all else.
   static std::optional<EditedFile> find(Site& site, const std::string& name);
 
   const std::filesystem::path& path() const { return path_; }
@@ -41,17 +41,19 @@ class EditedFile {
   std::vector<ChangeFault> faults_of(const changes::Draft& draft, const std::string& text) const;
 
  private:
-  enum class Kind { exhibit, vessel };
-  EditedFile(Kind kind, std::filesystem::path path, std::vector<std::string> languages);
-  std::vector<Problem> problems() const;
+  /// What its own reader finds wrong in the file, with words in all of the languages.
+  using Reader = std::vector<Problem> (*)(const std::filesystem::path&,
+                                          const std::vector<std::string>&);
+  EditedFile(std::filesystem::path path, std::vector<std::string> languages,
+             const fields::FieldList& all, Reader reader);
   /// The key that `problem`, told of a [table] whose keys are any names, lacks: "title.fr". "" of
   /// another problem.
   std::string missing_key(const std::string& text, const Problem& problem) const;
 
-  Kind kind_;
   std::filesystem::path path_;
   std::vector<std::string> languages_;
   fields::FieldList list_;
+  Reader reader_;
 };
 
 }  // namespace onggi::console

@@ -14,7 +14,9 @@ function valueAt(values, key) {
   let value = values;
   for (const name of key.match(/"[^"]*"|[^.]+/g)) {
     if (value === null || typeof value !== "object") return undefined;
-    value = value[name.replaceAll('"', "")];
+    const bare = name.replaceAll('"', "");
+    // An element of a list is meant by its id.
+    value = Array.isArray(value) ? value.find((one) => one?.id === bare) : value[bare];
   }
   return value;
 }

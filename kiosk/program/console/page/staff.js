@@ -1,8 +1,8 @@
 // The staff's page: its parts, of which one is shown. base.js comes before it, edit.js, settings.js and shelf.js too.
 "use strict";
 
-const PARTS = ["now", "desk", "figures", "settings", "shelf", "files", "people"];
-const FOR_EDITORS = ["settings", "shelf", "people"];
+const PARTS = ["now", "desk", "figures", "settings", "shelf", "lists", "files", "people"];
+const FOR_EDITORS = ["settings", "shelf", "lists", "people"];
 const EVERY = 2000; // ms between two looks at the kiosk
 
 // ---- Now
@@ -326,6 +326,7 @@ function showPart() {
   if (part() === "files") showFiles();
   if (part() === "settings") showSettings();
   if (part() === "shelf") showShelf();
+  if (part() === "lists") showLists();
   if (part() === "people") showPeople();
 }
 function begin() {

@@ -159,6 +159,30 @@ class StaffEdit(staff_site.StaffSite):
             page.tap("#label-close")
             page.wait("document.querySelector('[data-id=tea_bowl] h3').innerText === 'A tea bowl'", "on the shelf")
 
+    def test_a_mission_is_switched_on_and_a_glaze_and_a_lesson_reworded(self):
+        with self.page("tablet") as page:
+            self.come_in(page, "lists")
+            page.tap("#field-missions-mission-litre_jar-on")
+            self.type(page, "mission-litre_jar-litres", "9", "missions")
+            page.wait(self.fault("mission-litre_jar-litres", "missions") + " !== ''", "too much")
+            self.type(page, "mission-litre_jar-litres", "1.5", "missions")
+            page.value("document.getElementById('list-which').value = 'glazes'")
+            page.value("document.getElementById('list-which').dispatchEvent(new Event('change'))")
+            self.assertIn("Save your changes first", self.text(page, "#list-words"))
+            self.looked_at(page, "missions")
+            self.save(page, "list")
+            jar = next(one for one in self.values("content/missions.toml")["mission"] if one["id"] == "litre_jar")
+            self.assertEqual((jar["on"], jar["litres"]), (True, 1.5))
+            for which, file, key, new in (("glazes", "content/glazes.toml", "glaze-celadon-name-ko", "비취"),
+                                          ("lesson", "content/lessons/first_minute.toml", "step-open-words-en", "Open it.")):
+                page.value(f"document.getElementById('list-which').value = {which!r}")
+                page.value("document.getElementById('list-which').dispatchEvent(new Event('change'))")
+                page.wait(f"!!document.getElementById('field-{which}-{key}')", which)
+                self.looked_at(page, which)
+                self.type(page, key, new, which)
+                self.save(page, "list")
+                self.assertIn(new, (self.folder / file).read_text())
+
     def test_the_desk_changes_nothing(self):
         with self.page() as page:
             self.come_in(page, "people")
