@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "kiosk/program/console/staff_answers.h"
@@ -21,6 +23,9 @@ namespace fs = std::filesystem;
 namespace console = onggi::console;
 
 constexpr const char* kHost = "127.0.0.1:8090";
+constexpr const char* kExhibit = "credit = \"Kl4y-0f-museum\"\nlanguages = [\"en\"]\n";
+constexpr const char* kVessel =
+    "drawing = \"../../../outside\"\ntrue_height_mm = 100\n[label.en]\ntitle = \"Kl4y-0f-museum\"\n";
 constexpr const char* kVisit = "2026-05-28_141503_moon_jar";
 
 /// A site with one keepsake, and a file outside that no request may reach.
@@ -32,7 +37,9 @@ struct World {
 
   World() {
     fs::create_directories(site / "config");
-    std::ofstream(site / "config/exhibit.toml") << "credit = \"Kl4y-0f-museum\"\n";
+    fs::create_directories(site / "content/vessels/jar");
+    std::ofstream(site / "content/vessels/jar/vessel.toml") << kVessel;
+    std::ofstream(site / "config/exhibit.toml") << kExhibit;
     std::ofstream(site / "outside") << "S3cr3t-0utside";
     put_back();
     auto found = console::Site::open(site);
@@ -58,6 +65,11 @@ struct World {
     std::ofstream(site / "keepsakes" / kVisit / "postcard.jpg") << "card";
   }
 };
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 std::string_view line(std::string_view& rest) {
   const auto end = std::min(rest.find('\n'), rest.size());
@@ -95,8 +107,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!inside && answer.body.find("Kl4y-0f-museum") != std::string::npos) std::abort();
   if (answer.body.find("S3cr3t-0utside") != std::string::npos) std::abort();
   if (answer.file && answer.file->size != 4) std::abort();  // the postcard
-  if (!fs::exists(world.site / "outside") || !fs::exists(world.site / "config/exhibit.toml"))
+  // This process writes no curator's file: another does, and here it does nothing.
+  if (text_of(world.site / "config/exhibit.toml") != kExhibit ||
+      text_of(world.site / "content/vessels/jar/vessel.toml") != kVessel ||
+      !fs::exists(world.site / "outside"))
     std::abort();
+  if (!inside && ask.target.starts_with("/api/edit/") && answer.status < 400) std::abort();
   world.put_back();
   return 0;
 }

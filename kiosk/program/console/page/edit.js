@@ -184,11 +184,13 @@ function fieldRow(edited, key, field, how = {}) {
   input.setAttribute("aria-describedby", id + "-said");
   const fault = made("p", { className: "fault", id: id + "-fault" });
   fault.setAttribute("role", "alert");
-  const help = [how.help ?? sentence(field.words), how.allowed ?? allowedWords(field)].filter(Boolean).join(" ");
-  const label = made("label", { htmlFor: id }, how.label ?? asLabel(field.key));
+  const called = how.label ?? asLabel(field.key), words = how.help ?? sentence(field.words);
+  const help = [words === called + "." ? "" : words, how.allowed ?? allowedWords(field)].filter(Boolean).join(" ");
+  const label = made("label", { htmlFor: id }, called);
+  const color = (field.allowed ?? "").includes("#RRGGBB") ? colorBeside(input) : "";
   const unit = field.unit && field.kind !== "boolean" ? made("span", { className: "unit" }, field.unit) : "";
   const row = made("div", { className: "field " + (field.kind === "boolean" ? "switch" : "") },
-    ...(field.kind === "boolean" ? [input, label] : [label, made("div", { className: "value" }, input, unit)]),
+    ...(field.kind === "boolean" ? [input, label] : [label, made("div", { className: "value" }, input, color, unit)]),
     made("p", { className: "small", id: id + "-said" }, help), fault);
   const theirs = made("div", { className: "theirs" });
   row.append(theirs);
@@ -207,6 +209,19 @@ function fieldRow(edited, key, field, how = {}) {
     },
   });
   return row;
+}
+
+/** A colour to choose beside the one that is typed. */
+function colorBeside(input) {
+  const choose = made("input", { type: "color", className: "color" }), follow = () => { if (/^#[0-9a-f]{6}$/i.test(input.value)) choose.value = input.value; };
+  choose.setAttribute("aria-label", "Choose the colour");
+  follow();
+  input.addEventListener("input", follow);
+  choose.addEventListener("input", () => {
+    input.value = choose.value.toUpperCase();
+    input.dispatchEvent(new Event("input"));
+  });
+  return choose;
 }
 
 /** What was typed, as the file has it; null for nothing. What is no number goes as it is, to be told so. */

@@ -72,6 +72,12 @@ class StaffSite(unittest.TestCase):
             pathlib.Path(ARGUMENTS.pictures).mkdir(parents=True, exist_ok=True)
             page.picture(pathlib.Path(ARGUMENTS.pictures) / (name + ".png"))
 
+    def seen(self, page, name, selector):
+        """Keeps what a window shows with `selector` in its middle, where pictures are asked for."""
+        if ARGUMENTS.pictures:
+            page.middle(selector)
+            page.picture(pathlib.Path(ARGUMENTS.pictures) / (name + ".png"), whole=False)
+
     def text(self, page, selector):
         return page.value(f"document.querySelector({selector!r}).innerText")
 
