@@ -25,7 +25,8 @@ namespace console = onggi::console;
 constexpr const char* kHost = "127.0.0.1:8090";
 constexpr const char* kExhibit = "credit = \"Kl4y-0f-museum\"\nlanguages = [\"en\"]\n";
 constexpr const char* kVessel =
-    "drawing = \"../../../outside\"\ntrue_height_mm = 100\n[label.en]\ntitle = \"Kl4y-0f-museum\"\n";
+    "drawing = \"../../../outside\"\ntrue_height_mm = 100\n[label.en]\ntitle = "
+    "\"Kl4y-0f-museum\"\n";
 constexpr const char* kVisit = "2026-05-28_141503_moon_jar";
 
 /// A site with one keepsake, and a file outside that no request may reach.

@@ -13,7 +13,7 @@
 #include "kiosk/ground/toml/toml_json.h"
 #include "kiosk/ground/toml/toml_text.h"
 #include "kiosk/program/console/said.h"
-#include "kiosk/program/console/silhouette.h"
+#include "kiosk/program/console/side_view.h"
 
 namespace onggi::console {
 
@@ -201,7 +201,7 @@ web::Answer EditAnswers::outline(const web::Ask& ask, const std::string& id) {
   std::string picture;
   if (beside)
     if (const auto drawing = content::read_drawing(vessel->path().parent_path() / name))
-      picture = silhouette(drawing->section);
+      picture = side_view(drawing->section);
   if (picture.empty()) return page_of(404, "There is no drawing of this vessel.");
   web::Answer answer = json(ask, picture);
   if (answer.status == 200) answer.type = "image/svg+xml";

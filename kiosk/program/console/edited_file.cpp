@@ -60,11 +60,11 @@ const std::set<std::string> kMachinesOwn{
     "ways",  "missions", "keepsake.folder", "phone",  "reader", "vessel_scenes"};
 const std::set<std::string> kFilesOwn{"drawing", "decoration", "node", "units", "up", "color"};
 // The name of an element is how others know it.
-const std::set<std::string> kNames{"mission.id", "glaze.id", "step.id"};
+const std::set<std::string> kElementNames{"mission.id", "glaze.id", "step.id"};
 
 const std::set<std::string>& left_out_of(const fields::FieldList& list) {
   if (&list == &settings::exhibit_fields()) return kMachinesOwn;
-  return &list == &content::vessel_fields() ? kFilesOwn : kNames;
+  return &list == &content::vessel_fields() ? kFilesOwn : kElementNames;
 }
 
 std::vector<Problem> of_exhibit(const fs::path& file, const std::vector<std::string>&) {

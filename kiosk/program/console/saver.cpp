@@ -12,7 +12,7 @@ namespace onggi::console {
 
 namespace {
 
-constexpr double kPatience = 300.0;  // s of work: a hundred scans
+constexpr double kSavingPatience = 300.0;  // s of work: a hundred scans
 constexpr int kRefused = 2;
 
 }  // namespace
@@ -29,7 +29,7 @@ bool Saver::begin(std::vector<std::string> arguments) {
     files::Helper helper;
     helper.program = program;
     helper.arguments = words;
-    helper.timeout_s = kPatience;
+    helper.timeout_s = kSavingPatience;
     helper.answer = "report";
     helper.also_good = kRefused;
     const auto printed = files::run_helper(helper);

@@ -1,4 +1,4 @@
-#include "kiosk/program/console/silhouette.h"
+#include "kiosk/program/console/side_view.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ std::vector<Vec2> outer_wall(const std::vector<Vec2>& outline) {
 
 }  // namespace
 
-std::string silhouette(const Section& section) {
+std::string side_view(const Section& section) {
   const std::vector<Vec2> wall = outer_wall(section.outline);
   double height = 0, radius = 0;
   for (const Vec2& point : wall) {

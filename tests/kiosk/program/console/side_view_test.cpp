@@ -1,4 +1,4 @@
-#include "kiosk/program/console/silhouette.h"
+#include "kiosk/program/console/side_view.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "kiosk/collection/content/drawing.h"
 
-namespace onggi::console::silhouette_test {
+namespace onggi::console::side_view_test {
 namespace {
 
 std::vector<Vec2> points_of(const std::string& svg) {
@@ -21,12 +21,12 @@ std::vector<Vec2> points_of(const std::string& svg) {
   return points;
 }
 
-TEST(Silhouette, OfEveryVesselStandsInThePictureAsWideToTheLeftAsToTheRight) {
+TEST(SideView, OfEveryVesselStandsInThePictureAsWideToTheLeftAsToTheRight) {
   int vessels = 0;
   for (const auto& folder : std::filesystem::directory_iterator("content/vessels")) {
     const auto drawing = content::read_drawing(folder.path() / "profile.toml");
     if (!drawing) continue;
-    const auto points = points_of(silhouette(drawing->section));
+    const auto points = points_of(side_view(drawing->section));
     ASSERT_GT(points.size(), 8u) << folder;
     double top = 100, low = 0, left = 100, right = 0;
     for (const Vec2& p : points) {
@@ -41,13 +41,13 @@ TEST(Silhouette, OfEveryVesselStandsInThePictureAsWideToTheLeftAsToTheRight) {
   EXPECT_GE(vessels, 12);
 }
 
-TEST(Silhouette, LeavesTheInsideOut) {
+TEST(SideView, LeavesTheInsideOut) {
   // A cup of 10 cm, 8 wide, with a wall of 1 cm.
   const Section cup{{{0, 0}, {0.04, 0}, {0.04, 0.1}, {0.03, 0.1}, {0.03, 0.01}, {0, 0.01}}};
-  EXPECT_EQ(points_of(silhouette(cup)).size(), 6u);
+  EXPECT_EQ(points_of(side_view(cup)).size(), 6u);
 }
 
-TEST(Silhouette, OfNothingIsNothing) { EXPECT_EQ(silhouette({}), ""); }
+TEST(SideView, OfNothingIsNothing) { EXPECT_EQ(side_view({}), ""); }
 
 }  // namespace
-}  // namespace onggi::console::silhouette_test
+}  // namespace onggi::console::side_view_test

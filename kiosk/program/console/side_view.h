@@ -8,6 +8,6 @@ namespace onggi::console {
 
 /// `section` seen from the side, as a small SVG: the outer wall, filled in a grey that stands on
 /// light and on dark. "" where it has no height.
-std::string silhouette(const Section& section);
+std::string side_view(const Section& section);
 
 }  // namespace onggi::console
