@@ -185,7 +185,8 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
     else
       out.push_back({"", problem.what, problem.remedy});
   }
-  std::ranges::stable_partition(out, [](const ChangeFault& fault) { return !fault.key.empty(); });
+  std::stable_partition(out.begin(), out.end(),
+                        [](const ChangeFault& fault) { return !fault.key.empty(); });
   return out;
 }
 
