@@ -85,6 +85,8 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(const KioskOptions& options) {
                      *kiosk->wheel_host_, kiosk->todays_.get(), kiosk->counter_.get()},
       kept_in);
   kiosk->wall_ = options.wall;
+  kiosk->staff_corner_ = std::make_unique<StaffCorner>(
+      kept_in, [wall = options.wall] { return static_cast<std::int64_t>(wall()); });
   kiosk->access_input_ = std::make_unique<AccessInput>(kiosk->exhibit_, !options.stepped);
   if (kiosk->exhibit_.hours.kept && !options.stepped) kiosk->night_.emplace(kiosk->exhibit_.hours);
   if (options.devices)
@@ -125,6 +127,7 @@ Doing Kiosk::doing() const {
           .kept = keeping_->kept() ? &*keeping_->kept() : nullptr,
           .pot = pot_->def(),
           .card = pot_->card(),
+          .way_in = staff_corner_->way_in(),
           .device_moves = devices_ ? std::optional(devices_->moves()) : std::nullopt};
 }
 
@@ -263,6 +266,16 @@ void Kiosk::be_dark(bool draw) {
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
 
+std::vector<view::InputEvent> Kiosk::passed_on(const std::vector<view::InputEvent>& events,
+                                               double now) {
+  std::vector<view::InputEvent> out;
+  for (const view::InputEvent& event : events)
+    for (const view::InputEvent& one :
+         staff_corner_->pass(event, renderer_->width(), renderer_->height(), now))
+      out.push_back(one);
+  return out;
+}
+
 bool Kiosk::frame(double now, bool draw) {
   bool open = true;
   now_ = now;
@@ -285,7 +298,7 @@ bool Kiosk::frame(double now, bool draw) {
     be_dark(draw);
     return open;
   }
-  for (const view::InputEvent& event : events) {
+  for (const view::InputEvent& event : passed_on(events, now)) {
     if (visit_)
       access_input_->input(event, *visit_, renderer_->width(), renderer_->height(), now);
     else if (event.kind == view::InputEvent::Kind::pointer_down ||
@@ -317,6 +330,7 @@ bool Kiosk::frame(double now, bool draw) {
   access_input_->frame(*visit_, last_frame_, now);
   if (const auto sight = visit_->sight(); access_input_->sings() && sound_ && sight)
     sound_->sing(*sight);
+  staff_corner_->draw(last_frame_, languages_.front(), now);
   if (draw) {
     renderer_->draw(last_frame_);
     renderer_->present();

@@ -19,6 +19,7 @@
 #include "kiosk/exhibit/composition/pot_on_wheel.h"
 #include "kiosk/exhibit/composition/scenes.h"
 #include "kiosk/exhibit/composition/shelf.h"
+#include "kiosk/exhibit/composition/staff_corner.h"
 #include "kiosk/exhibit/composition/studio_sound.h"
 #include "kiosk/exhibit/composition/todays_pots.h"
 #include "kiosk/exhibit/composition/visit_counter.h"
@@ -69,6 +70,7 @@ struct Doing {
   const KeptVisit* kept;  ///< The last kept visit; null: none.
   const SceneDef& pot;    ///< The scene of the pot on the wheel.
   int card;  ///< Card of that pot: of the shelf, or a mission's own; -1 before the first pot.
+  std::optional<WayIn> way_in;                ///< Into the staff's page, that the screen showed.
   std::optional<std::uint64_t> device_moves;  ///< HandDevices::moves(); none: no devices are used.
 };
 
@@ -132,6 +134,8 @@ class Kiosk {
   void carry_out(const screens::MakeKeepsake& request);
   void carry_out(const screens::VisitEnded& request);
   std::vector<view::InputEvent> look_after_devices(double now);
+  /// What the staff's corner leaves of them.
+  std::vector<view::InputEvent> passed_on(const std::vector<view::InputEvent>& events, double now);
   view::Frame opening_frame() const;
   bool update_night(double now, const std::vector<view::InputEvent>& events);
   void be_dark(bool draw);
@@ -156,6 +160,7 @@ class Kiosk {
   std::unique_ptr<Keeping> keeping_;
   std::unique_ptr<screens::Visit> visit_;
   std::unique_ptr<AccessInput> access_input_;
+  std::unique_ptr<StaffCorner> staff_corner_;
   std::optional<Night> night_;  ///< Empty if the exhibit is always open.
   std::function<std::time_t()> wall_;
   bool hands_taken_ = false, two_fingers_ = false, nobody_was_here_ = false;

@@ -57,6 +57,10 @@ void PostedState::look(exhibit::Kiosk& kiosk, double now) {
   const screens::ShelfCard* card = kiosk.card(doing.card);
   state_.vessel = card != nullptr && card->vessel != nullptr ? card->vessel->id : "";
   state_.devices = kiosk.plugged_in();
+  if (doing.way_in) {
+    state_.way_in = doing.way_in->digest;
+    state_.way_in_until = doing.way_in->until;
+  }
   state_.trouble = files::last_trouble();
   board_->show(state_);
 }

@@ -1,16 +1,15 @@
 #include "kiosk/program/console/door.h"
 
 #include <fcntl.h>
-#include <sodium.h>
 #include <sys/file.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <sstream>
 
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/ground/secrets/digest.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 
 namespace onggi::console {
@@ -18,21 +17,14 @@ namespace onggi::console {
 namespace {
 
 namespace fs = std::filesystem;
+using secrets::digest_of;
+using secrets::same_secret;
 
 constexpr std::size_t kMostSessions = 1024;
 constexpr std::ptrdiff_t kMostOfOne = 8;
 constexpr std::size_t kMostOfACode = 1024;  // bytes of its file
 
 fs::path code_file(const fs::path& state) { return state / "code"; }
-
-/// Of a code, in letters. A code has 130 random bits, so a quick hash keeps it.
-std::string digest_of(const std::string& code) {
-  std::array<unsigned char, crypto_hash_sha256_BYTES> bytes{};
-  ::crypto_hash_sha256(bytes.data(), reinterpret_cast<const unsigned char*>(code.data()),
-                       code.size());
-  std::array<char, 2 * crypto_hash_sha256_BYTES + 1> text{};
-  return ::sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-}
 
 }  // namespace
 
@@ -46,10 +38,6 @@ std::string cookie_of(std::string_view cookies, std::string_view name) {
       return std::string(one.substr(name.size() + 1));
   }
   return {};
-}
-
-bool same_secret(std::string_view a, std::string_view b) {
-  return a.size() == b.size() && ::sodium_memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
 std::string Door::set_cookie(const std::string& token, std::int64_t seconds) const {

@@ -73,7 +73,4 @@ class Door {
 /// The value of cookie `name` in the Cookie field `cookies`; "" if it is not there.
 std::string cookie_of(std::string_view cookies, std::string_view name);
 
-/// True if both are the same; takes as long wherever they differ.
-bool same_secret(std::string_view a, std::string_view b);
-
 }  // namespace onggi::console

@@ -9,6 +9,7 @@
 #include "kiosk/ground/files/json.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/paths.h"
+#include "kiosk/ground/secrets/digest.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/store/figures_report.h"
 #include "kiosk/picture/drawing/plot.h"
@@ -73,7 +74,10 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
   if (!reads && !ask.type.starts_with("application/json"))
     return refused(415, "Changes are sent as JSON.", "Use the page itself.");
   if (ask.method == "GET" && ask.target.starts_with("/?code=")) {
-    const std::string cookie = door_->enter(web::asked_for(ask.target, "code"), parts_.clock());
+    const std::string code = web::asked_for(ask.target, "code");
+    std::string cookie = door_->enter(code, parts_.clock());
+    if (cookie.empty() && shown_on_screen(code))
+      cookie = door_->admit(Session::kByCode, Role::editor, parts_.clock());
     // Without the code, which is no longer good.
     if (!cookie.empty())
       return {.status = 303, .type = "", .fields = {{"Location", "/"}, {"Set-Cookie", cookie}}};
@@ -90,6 +94,30 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
   // What is done may end it.
   const Session copy = *session;
   return reads ? get(ask, copy) : post(ask, copy);
+}
+
+/// By the kiosk, to whoever held a corner of it. Only until somebody has a name, and once.
+bool StaffAnswers::shown_on_screen(const std::string& code) {
+  const auto people = parts_.people.all();
+  if (!people || !people->empty()) return false;
+  const watch::SeenKiosk kiosk = watch::look_at_kiosk(parts_.site.exhibit().keepsake.folder);
+  if (!kiosk.runs || !kiosk.state) return false;
+  const std::string& shown = kiosk.state->way_in;
+  const std::int64_t left = kiosk.state->way_in_until - parts_.clock();
+  if (left <= 0 || left > Door::kCodeLasts || shown.empty() || shown == used_way_in_ ||
+      !secrets::same_secret(shown, secrets::digest_of(code)))
+    return false;
+  used_way_in_ = shown;
+  return true;
+}
+
+/// Tells the kiosk whether it may show a way in.
+void StaffAnswers::tell_kiosk() {
+  const auto people = parts_.people.all();
+  if (!people || !people->empty())
+    notice_.take_away();
+  else
+    static_cast<void>(notice_.put_up(address_));  // where the disk refuses, sudo's code is the way
 }
 
 web::Answer StaffAnswers::outside(const web::Ask& ask) {
@@ -216,6 +244,7 @@ web::Answer StaffAnswers::post_people(const web::Ask& ask, const Session& sessio
   if (parts.size() == 4 && parts[3] == "remove") {
     if (auto removed = parts_.people.remove(parts[2]); !removed) return refused(removed.error());
     door_->end_all_of(parts[2]);
+    tell_kiosk();
     return noted(json(Json::object()), ask, session, "removed person", parts[2]);
   }
   if (parts.size() != 2) return refused(404, "This cannot be done here.", "Use the page.");
@@ -231,6 +260,7 @@ web::Answer StaffAnswers::post_people(const web::Ask& ask, const Session& sessio
     return refused(set.error());
   // Whoever was signed in by the old passphrase or with the old role comes in anew.
   door_->end_all_of(name);
+  tell_kiosk();
   const char* did = !before                       ? "added person"
                     : words["passphrase"].empty() ? "gave a role"
                                                   : "gave a passphrase";
@@ -269,6 +299,7 @@ void StaffAnswers::note_ended() {
 
 void StaffAnswers::look_after() {
   note_ended();
+  tell_kiosk();
   if (auto forgot = parts_.changes.forget(parts_.clock()); !forgot) parts_.tell(forgot.error());
 }
 

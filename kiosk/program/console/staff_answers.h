@@ -12,6 +12,7 @@
 #include "kiosk/ground/files/json.h"
 #include "kiosk/ground/files/log.h"
 #include "kiosk/ground/web/message.h"
+#include "kiosk/keepsake/souvenir/staff_notice.h"
 #include "kiosk/program/console/change_log.h"
 #include "kiosk/program/console/desk_answers.h"
 #include "kiosk/program/console/door.h"
@@ -72,13 +73,16 @@ class StaffAnswers final : public web::Answering {
   explicit StaffAnswers(Parts parts)
       : parts_(std::move(parts)),
         desk_(parts_.site, parts_.tell),
-        edit_(parts_.site, parts_.onggi) {}
+        edit_(parts_.site, parts_.onggi),
+        notice_(parts_.site.exhibit().keepsake.folder) {}
   StaffAnswers(const StaffAnswers&) = delete;
   StaffAnswers& operator=(const StaffAnswers&) = delete;
-  /// `hosts`: the Host fields that are accepted, "127.0.0.1:8090".
+  /// `hosts`: the Host fields that are accepted, "127.0.0.1:8090"; the first is the page's address.
   void open(Door door, std::vector<std::string> hosts) {
     door_ = std::move(door);
     hosts_ = std::move(hosts);
+    address_ = "http://" + hosts_.front();
+    tell_kiosk();
   }
 
   web::Answer to(const web::Ask& ask) override;
@@ -90,6 +94,8 @@ class StaffAnswers final : public web::Answering {
   void look_after();
 
  private:
+  bool shown_on_screen(const std::string& code);
+  void tell_kiosk();
   web::Answer outside(const web::Ask& ask);
   web::Answer enter(const web::Ask& ask);
   web::Answer get(const web::Ask& ask, const Session& session);
@@ -112,6 +118,8 @@ class StaffAnswers final : public web::Answering {
   EditAnswers edit_;
   std::optional<Door> door_;
   std::vector<std::string> hosts_;
+  souvenir::StaffNotice notice_;
+  std::string address_, used_way_in_;
   Figures figures_;
   Patience patience_;
 };

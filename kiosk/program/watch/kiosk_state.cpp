@@ -51,6 +51,7 @@ void each_number(State& s, Visit&& visit) {
   visit("visitor", s.visitor);
   visit("ended", s.ended);
   visit("frames_a_second", s.frames_a_second);
+  visit("way_in_until", s.way_in_until);
 }
 
 template <class Value>
@@ -76,6 +77,7 @@ std::string text_of(const KioskState& state) {
   line("version", short_line(state.health.version));
   line("exhibit", short_line(state.exhibit));
   line("vessel", short_line(state.vessel));
+  if (!state.way_in.empty()) line("way_in", short_line(state.way_in));
   each_number(state,
               [&](const char* key, const auto& value) { line(key, files::Json(value).text(-1)); });
   for (std::size_t n = 0; n < std::min(state.devices.size(), kMostDevices); ++n)
@@ -107,6 +109,7 @@ std::optional<KioskState> state_of(std::string_view text) {
     if (key == "version") state.health.version = value;
     if (key == "exhibit") state.exhibit = value;
     if (key == "vessel") state.vessel = value;
+    if (key == "way_in") state.way_in = value;
     if (key == "device") state.devices.emplace_back(value);
     if (key == "trouble_at") read_number(value, trouble().at);
     if (key == "troubles") read_number(value, trouble().count);

@@ -24,6 +24,10 @@ struct KioskState {
   std::string vessel;      ///< Id of the vessel on the wheel; "": none.
   double frames_a_second = 0.0;
   std::vector<std::string> devices;         ///< Names of the hand devices that are plugged in.
+  /// The way into the staff's page that its screen showed last: the code's digest, and until when
+  /// it is good, s since 1970.
+  std::string way_in{};
+  std::int64_t way_in_until = 0;
   std::optional<files::Trouble> trouble{};  ///< The last problem in its log.
 };
 

@@ -18,7 +18,7 @@ constexpr double kAgain = 1.0;  // s, after a write that failed
 
 /// All but counts and times.
 auto news_of(const KioskState& s) {
-  return std::tuple(s.open, s.visitor, s.ended, s.vessel, s.devices, s.health.dark,
+  return std::tuple(s.open, s.visitor, s.ended, s.vessel, s.devices, s.way_in, s.health.dark,
                     s.health.not_kept, s.trouble ? s.trouble->count : 0);
 }
 

@@ -1,15 +1,20 @@
 #include "kiosk/program/console/staff_answers.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
 
 #include <memory>
 #include <vector>
 
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/wall_clock.h"
+#include "kiosk/ground/secrets/digest.h"
 #include "kiosk/keepsake/souvenir/open_passes.h"
 #include "kiosk/keepsake/souvenir/pass.h"
+#include "kiosk/keepsake/souvenir/staff_notice.h"
 #include "kiosk/keepsake/store/visit_store.h"
+#include "kiosk/program/watch/kiosk_state.h"
 #include "tests/kiosk/ground/files/disk.h"
 
 namespace onggi::console::staff_answers_test {
@@ -446,6 +451,39 @@ TEST_F(StaffPage, AFolderWithoutAnExhibitIsRefused) {
   EXPECT_THAT(none.error().what, HasSubstr("config/exhibit.toml"));
   EXPECT_TRUE(Site::open(site_ / "config"));
   EXPECT_TRUE(Site::open(site_ / "config/exhibit.toml"));
+}
+
+// A kiosk that runs showed a code on its screen.
+TEST_F(StaffPage, TheScreensCodeOpensItOnceAndOnlyUntilSomebodyHasAName) {
+  EXPECT_EQ(souvenir::address_for_staff(keepsakes_), std::string("http://") + kHost);
+  const auto shown = [&](const std::string& code, std::int64_t until) {
+    watch::KioskState state;
+    state.way_in = secrets::digest_of(code);
+    state.way_in_until = until;
+    std::ofstream(keepsakes_ / watch::kStateFile) << watch::text_of(state);
+  };
+  const auto opens = [&](const std::string& code) {
+    return staff_->to({.method = "GET", .target = "/?code=" + code, .host = kHost}).status == 303;
+  };
+  shown("first", kNow + 3600);
+  EXPECT_FALSE(opens("first")) << "that kiosk does not run";
+  const files::Descriptor running(::open((keepsakes_ / watch::kStateFile).c_str(), O_RDWR));
+  ASSERT_EQ(::flock(running.get(), LOCK_EX), 0);
+  EXPECT_FALSE(opens("other"));
+  EXPECT_FALSE(opens(""));
+  EXPECT_TRUE(opens("first"));
+  EXPECT_FALSE(opens("first"));
+  shown("late", kNow);
+  EXPECT_FALSE(opens("late"));
+  shown("for ever", kNow + 1'000'000);
+  EXPECT_FALSE(opens("for ever"));
+  shown("second", kNow + 3600);
+  ASSERT_EQ(post("/api/people",
+                 R"({"name": "joon", "role": "editor", "passphrase": "three wet sponges"})")
+                .status,
+            200);
+  EXPECT_EQ(souvenir::address_for_staff(keepsakes_), "") << "the kiosk shows none any more";
+  EXPECT_FALSE(opens("second"));
 }
 
 }  // namespace
