@@ -23,7 +23,7 @@ struct KioskState {
   bool ended = false;      ///< It was closed on request.
   std::string vessel;      ///< Id of the vessel on the wheel; "": none.
   double frames_a_second = 0.0;
-  std::vector<std::string> devices;         ///< Names of the hand devices that are plugged in.
+  std::vector<std::string> devices;  ///< Names of the hand devices that are plugged in.
   /// The way into the staff's page that its screen showed last: the code's digest, and until when
   /// it is good, s since 1970.
   std::string way_in{};
