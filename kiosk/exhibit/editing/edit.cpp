@@ -122,8 +122,12 @@ std::optional<std::string> put_back(const Revision& revision, const std::string&
   return text;
 }
 
-Result<Revision> newest_of(const Revisions& revisions) {
+/// The newest one, if it is called `id`.
+Result<Revision> newest_of(const Revisions& revisions, const std::string& id = "") {
   const auto all = revisions.read();
+  if (!id.empty() && (all.empty() || all.front().kept_in.stem().string() != id))
+    return problem("onggi undo", "Another change was made or taken back meanwhile.",
+                   "Look at the list again.", kAnotherFile);
   if (all.empty())
     return problem("onggi undo", "There is no change to take back.",
                    "onggi undo takes back what onggi set changed.");
@@ -169,12 +173,12 @@ Result<Edited> set_values(const fs::path& file, const std::vector<changes::Chang
   return out;
 }
 
-Result<Undone> undo(const fs::path& file) {
+Result<Undone> undo(const fs::path& file, const std::string& id) {
   Revisions revisions(file);
-  if (auto none = newest_of(revisions); !none) return tl::unexpected(none.error());
+  if (auto none = newest_of(revisions, id); !none) return tl::unexpected(none.error());
   if (auto locked = revisions.lock(); !locked)
     return tl::unexpected(nothing_written(std::move(locked.error())));
-  auto newest = newest_of(revisions);
+  auto newest = newest_of(revisions, id);
   if (!newest) return tl::unexpected(newest.error());
   Undone out{*newest, false};
   const auto now = toml::read_toml_text(newest->file);
@@ -203,12 +207,12 @@ Result<Undone> undo(const fs::path& file) {
   return out;
 }
 
-Result<Revision> forget_newest(const fs::path& file) {
+Result<Revision> forget_newest(const fs::path& file, const std::string& id) {
   Revisions revisions(file);
-  if (auto none = newest_of(revisions); !none) return none;
+  if (auto none = newest_of(revisions, id); !none) return none;
   if (auto locked = revisions.lock(); !locked)
     return tl::unexpected(nothing_written(std::move(locked.error())));
-  auto newest = newest_of(revisions);
+  auto newest = newest_of(revisions, id);
   if (!newest) return newest;
   if (auto forgotten = revisions.forget(*newest); !forgotten)
     return tl::unexpected(forgotten.error());

@@ -36,10 +36,13 @@ struct Undone {
 /// Takes back the newest revision of the exhibit that `file` belongs to, whichever file it changed,
 /// and forgets it. Where that file was changed by hand since, the hand's changes stay: only the
 /// value is put back, if it still stands as it was set. Problem where it does not, where there is
-/// nothing to take back, and where `onggi check` would find a new fault.
-Result<Undone> undo(const std::filesystem::path& file);
+/// nothing to take back, and where `onggi check` would find a new fault. `id`: of the revision that
+/// is meant (its file's name, without .toml); kAnotherFile if it is not the newest any more; "":
+/// any.
+Result<Undone> undo(const std::filesystem::path& file, const std::string& id = "");
 
-/// Forgets the newest revision, and leaves its file as it is.
-Result<changes::Revision> forget_newest(const std::filesystem::path& file);
+/// Forgets the newest revision, and leaves its file as it is. `id`: as for undo().
+Result<changes::Revision> forget_newest(const std::filesystem::path& file,
+                                        const std::string& id = "");
 
 }  // namespace onggi::editing

@@ -43,6 +43,12 @@ Result<std::vector<changes::Change>> changes_of(const SetArguments& arguments) {
   return changes;
 }
 
+/// Without what is for somebody at a terminal.
+std::string for_a_page(const std::string& remedy) {
+  const std::string sudo = "Write sudo before the command. Or: ";
+  return remedy.starts_with(sudo) ? remedy.substr(sudo.size()) : remedy;
+}
+
 /// For programs, such as the staff's page.
 Result<int> answer(const SetArguments& arguments, const Result<editing::Edited>& done) {
   Json out = Json::object({{"done", done.has_value()}});
@@ -56,7 +62,7 @@ Result<int> answer(const SetArguments& arguments, const Result<editing::Edited>&
     out["another_file"] = done.error().exit_code == editing::kAnotherFile;
     out["where"] = done.error().where;
     out["what"] = done.error().what;
-    out["remedy"] = done.error().remedy;
+    out["remedy"] = for_a_page(done.error().remedy);
   }
   if (auto put = arguments.json.write(out.text() + "\n"); !put) return tl::unexpected(put.error());
   // Programs read why; whoever starts one tells a refusal from a crash.

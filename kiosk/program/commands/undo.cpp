@@ -2,6 +2,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "engine/base/plain_text.h"
 #include "kiosk/exhibit/editing/edit.h"
@@ -15,7 +16,7 @@ namespace onggi::commands {
 namespace {
 
 struct UndoArguments {
-  std::string config;
+  std::string config, id;
   files::Output json{files::Output::Kind::json};
   bool list = false, forget = false;
 };
@@ -41,20 +42,21 @@ Result<int> list(const std::filesystem::path& exhibit) {
   return 0;
 }
 
-files::Json json_of(const Result<editing::Undone>& done) {
+/// For programs, such as the staff's page: `words` tell what was done.
+Result<int> answer(const UndoArguments& arguments, const Problem* refused,
+                   const std::vector<std::string>& words) {
   using files::Json;
-  if (!done)
-    return Json::object({{"done", false},
-                         {"where", done.error().where},
-                         {"what", done.error().what},
-                         {"remedy", done.error().remedy}});
-  Json words = Json::list();
-  for (const changes::ChangedValue& value : done->revision.values)
-    words.push_back(changes::undo_words(value, done->revision.when));
-  return Json::object({{"done", true},
-                       {"file", done->revision.file.string()},
-                       {"words", words},
-                       {"kept_others", done->kept_others}});
+  Json out = Json::object({{"done", refused == nullptr}});
+  if (refused != nullptr) {
+    out["another_file"] = refused->exit_code == editing::kAnotherFile;
+    out["where"] = refused->where;
+    out["what"] = refused->what;
+    out["remedy"] = refused->remedy;
+  } else {
+    out["words"] = Json::list_of(words);
+  }
+  if (auto put = arguments.json.write(out.text() + "\n"); !put) return tl::unexpected(put.error());
+  return refused == nullptr ? 0 : 2;
 }
 
 Result<int> undo(const UndoArguments& arguments) {
@@ -62,19 +64,23 @@ Result<int> undo(const UndoArguments& arguments) {
   if (!exhibit) return tl::unexpected(exhibit.error());
   if (arguments.list) return list(*exhibit);
   if (arguments.forget) {
-    const auto forgotten = editing::forget_newest(*exhibit);
+    const auto forgotten = editing::forget_newest(*exhibit, arguments.id);
+    if (arguments.json.wanted())
+      return forgotten ? answer(arguments, nullptr, {changes::words_of(*forgotten)})
+                       : answer(arguments, &forgotten.error(), {});
     if (!forgotten) return tl::unexpected(forgotten.error());
     std::cout << "Forgotten, and the file stays as it is: "
               << terminal::plain(forgotten->file.string()) << '\n'
               << indented(words_of(*forgotten)) << '\n';
     return 0;
   }
-  const auto done = editing::undo(*exhibit);
+  const auto done = editing::undo(*exhibit, arguments.id);
   if (arguments.json.wanted()) {
-    const auto report = json_of(done);
-    if (auto put = arguments.json.write(report.text() + "\n"); !put)
-      return tl::unexpected(put.error());
-    return done ? 0 : 2;
+    std::vector<std::string> words;
+    if (done)
+      for (const changes::ChangedValue& value : done->revision.values)
+        words.push_back(changes::undo_words(value, done->revision.when));
+    return answer(arguments, done ? nullptr : &done.error(), words);
   }
   if (!done) return tl::unexpected(done.error());
   for (const changes::ChangedValue& value : done->revision.values)
@@ -104,6 +110,10 @@ cli::Command undo_command() {
                    .field = &a->json,
                    .help = "Tell what was taken back as JSON, for programs; - : standard output",
                    .excludes = "--list"},
+                  {.name = "--if",
+                   .field = &a->id,
+                   .help = "Only if this change is still the newest (of a page)",
+                   .hidden = true},
                   {"--config", &a->config,
                    "The exhibit's TOML [the one in the current folder, else the program's]"}},
       .run = [a] { return undo(*a); }};

@@ -1,6 +1,7 @@
 #include "kiosk/program/console/edit_answers.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -122,6 +123,8 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
     answer.status = 409;
     return answer;
   }
+  if (draft.values.empty())
+    return refused(409, "It is so already.", "There is nothing to save: load this page again.");
   std::vector<std::string> arguments{"set", "--json", "-", "--if", tag};
   std::string without, note;
   for (const changes::ChangedValue& value : draft.values) {
@@ -138,15 +141,20 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
 }
 
 web::Answer EditAnswers::undo(const web::Ask& ask, const std::string& who, std::int64_t now) {
-  return begin({"undo", "--json", "-", "--config", site_.file().string()},
-               {now, who, ask.from, "took back", "the newest change"});
+  const auto body = nlohmann::json::parse(ask.body, nullptr, false);
+  const std::string id = Words(ask.body)["id"];
+  if (id.empty()) return wrong_form();
+  const bool forget = body.contains("forget") && body["forget"] == true;
+  std::vector<std::string> arguments{
+      "undo", "--json", "-", "--if", id, "--config", site_.file().string()};
+  if (forget) arguments.emplace_back("--forget");
+  return begin(std::move(arguments), {now, who, ask.from, forget ? "forgot" : "took back", ""});
 }
 
 web::Answer EditAnswers::begin(std::vector<std::string> arguments, ChangeLog::Change note) {
   if (saver_.under_way() || !saver_.begin(std::move(arguments)))
     return refused(503, "Another change is being made at this moment.", "Try again in a moment.");
   note_ = std::move(note);
-  said_ = "null";
   web::Answer answer = json(Json::object({{"number", ++number_}}));
   answer.status = 202;
   return answer;
@@ -155,24 +163,35 @@ web::Answer EditAnswers::begin(std::vector<std::string> arguments, ChangeLog::Ch
 std::optional<ChangeLog::Change> EditAnswers::ended() {
   auto said = saver_.take();
   if (!said) return std::nullopt;
-  said_ = std::move(*said);
-  const auto report = nlohmann::json::parse(said_, nullptr, false);
+  const auto report = nlohmann::json::parse(*said, nullptr, false);
+  said_[number_] = std::move(*said);
+  if (said_.size() > kRemembered) said_.erase(said_.begin());
   if (!report.value("done", false)) return std::nullopt;
+  if (note_.what.empty() && report.contains("words"))
+    for (const auto& words : report["words"])
+      if (words.is_string())
+        note_.what = toml::shown(note_.what + words.get<std::string>() + ' ', kMostOfANote);
   return note_;
 }
 
-web::Answer EditAnswers::saved() {
+web::Answer EditAnswers::saved(const web::Ask& ask) {
+  const int number = std::atoi(query(ask, "number").c_str());
+  const bool under_way = number == number_ && saver_.under_way();
+  const auto said = said_.find(number);
+  if (!under_way && said == said_.end())
+    return refused(404, "This change is not known any more.", "Load this page again.");
   return {.status = 200,
           .type = kJson,
-          .body = "{\"number\": " + std::to_string(number_) + ", \"under_way\": " +
-                  (saver_.under_way() ? "true" : "false") + ", \"said\": " + said_ + '}'};
+          .body = std::string(R"({"under_way": )") + (under_way ? "true" : "false") +
+                  R"(, "said": )" + (under_way ? "null" : said->second) + '}'};
 }
 
 web::Answer EditAnswers::revisions(const web::Ask& ask) {
   Json list = Json::list();
   for (const changes::Revision& revision : changes::Revisions(site_.file()).read()) {
     const fs::path site = site_.file().parent_path().parent_path();
-    list.push_back(Json::object({{"when", revision.when},
+    list.push_back(Json::object({{"id", revision.kept_in.stem().string()},
+                                 {"when", revision.when},
                                  {"file", revision.file.lexically_relative(site).string()},
                                  {"words", changes::words_of(revision)}}));
   }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,17 +30,21 @@ class EditAnswers {
   /// `body`: {tag, changes}. 202 where it has begun; 409 with faults, 412 for another tag.
   web::Answer save(const web::Ask& ask, const std::string& name, const std::string& who,
                    std::int64_t now);
-  /// Takes back the newest change.
+  /// Takes back the newest change, or only forgets it. `body`: {id, forget}; if another one is the
+  /// newest, nothing is done.
   web::Answer undo(const web::Ask& ask, const std::string& who, std::int64_t now);
-  /// {number, under_way, said: what `onggi set` or `undo` printed last}: of the newest change that
-  /// was begun here.
-  web::Answer saved();
-  /// The changes that can be taken back, newest first: [{when, file, words}]
+  /// {under_way, said: what `onggi set` or `undo` printed} of the change ?number=; of the last
+  /// kRemembered.
+  web::Answer saved(const web::Ask& ask);
+  static constexpr std::size_t kRemembered = 16;
+  /// The changes that can be taken back, newest first: [{id, when, file, words}]
   web::Answer revisions(const web::Ask& ask);
   /// The shelf in its order: [{id, titles: by language, hidden, unfinished}]
   web::Answer shelf(const web::Ask& ask);
   /// The vessel `id` from the side, as it was drawn; 404 where there is no drawing.
   web::Answer outline(const web::Ask& ask, const std::string& id);
+  /// A change is being made.
+  bool under_way() const { return saver_.under_way(); }
   /// The change that has ended since the last call and was made: for the log.
   std::optional<ChangeLog::Change> ended();
 
@@ -48,7 +54,7 @@ class EditAnswers {
   Site& site_;
   Saver saver_;
   int number_ = 0;
-  std::string said_ = "null";
+  std::map<int, std::string> said_;  ///< By number.
   ChangeLog::Change note_;
 };
 

@@ -181,7 +181,7 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
     if (of != draft.values.end())
       out.push_back({of->key, problem.what, problem.remedy});
     else if (const std::string key = missing_key(draft.text, problem); !key.empty())
-      out.push_back({key, problem.what, "Write it here."});
+      out.push_back({key, problem.what, "Write it here."});  // no line of the file: a field
     else
       out.push_back({"", problem.what, problem.remedy});
   }
@@ -191,6 +191,10 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
 }
 
 std::string EditedFile::missing_key(const std::string& text, const Problem& problem) const {
+  // "label.en.culture is missing."
+  const toml::Path first = toml::path_of(problem.what.substr(0, problem.what.find(' ')));
+  if (first.size() > 1 && fields::find_field(list_, first) != nullptr) return toml::key_text(first);
+  if (problem.what.starts_with("There are no hours for ")) return "hours.every_day";
   const std::size_t open = problem.what.find('"'), close = problem.what.find('"', open + 1);
   if (close == std::string::npos) return {};
   const std::string name = problem.what.substr(open + 1, close - open - 1);

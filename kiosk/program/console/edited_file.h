@@ -46,8 +46,8 @@ class EditedFile {
                                           const std::vector<std::string>&);
   EditedFile(std::filesystem::path path, std::vector<std::string> languages,
              const fields::FieldList& all, Reader reader);
-  /// The key that `problem`, told of a [table] whose keys are any names, lacks: "title.fr". "" of
-  /// another problem.
+  /// The key that is absent, by a `problem` that is told of its table or of none: "title.fr",
+  /// "label.en.culture", "hours.every_day". "" of another problem.
   std::string missing_key(const std::string& text, const Problem& problem) const;
 
   std::filesystem::path path_;

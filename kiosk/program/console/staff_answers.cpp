@@ -277,7 +277,7 @@ web::Answer StaffAnswers::changes() {
 web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path) {
   if (path == "/api/shelf") return edit_.shelf(ask);
   if (path == "/api/revisions") return edit_.revisions(ask);
-  if (path == "/api/saved") return edit_.saved();
+  if (path == "/api/saved") return edit_.saved(ask);
   return path.starts_with(kEdit) ? edit_.file(ask, path.substr(std::string_view(kEdit).size()))
                                  : refused(404, "There is no such thing.", "Load this page again.");
 }

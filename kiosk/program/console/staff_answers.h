@@ -45,9 +45,9 @@ namespace onggi::console {
 ///   GET  /api/edit/NAME      (e) a file that can be changed: exhibit, vessel/ID
 ///   POST /api/edit/NAME/check(e) {changes}: what is wrong with them
 ///   POST /api/edit/NAME/save (e) {tag, changes}: begins to change it
-///   GET  /api/saved          (e) what came of the newest change
+///   GET  /api/saved?number=  (e) what came of a change
 ///   GET  /api/revisions      (e) what can be taken back
-///   POST /api/undo           (e) begins to take back the newest
+///   POST /api/undo           (e) {id, forget}: begins to take back the newest
 ///   GET  /api/shelf          (e) the vessels in their order
 ///   GET  /outline/ID             one of them from the side
 ///   GET  /api/people         (e) names and roles

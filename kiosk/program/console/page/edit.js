@@ -78,16 +78,28 @@ class Edited {
   found(faults) {
     this.faults = faults;
     for (const [key, row] of this.rows) row.fault(faults.find((fault) => fault.key === key), this.conflict(key));
-    const elsewhere = faults.filter(({ key }) => !this.rows.has(key));
-    this.place.replaceChildren(...elsewhere.map(({ what, remedy }) => made("p", {}, made("strong", {}, what), " " + remedy)));
+    const here = faults.filter(({ key }) => this.rows.has(key)), elsewhere = faults.filter(({ key }) => !this.rows.has(key));
+    const lines = elsewhere.slice(0, 2).map(({ key, what, remedy }) =>
+      made("p", {}, made("strong", {}, (key && !what.startsWith(key) ? key + ": " : "") + what), " " + remedy));
+    if (elsewhere.length > 2) lines.push(made("p", {}, `And ${elsewhere.length - 2} more like these.`));
+    if (here.length > 0) lines.unshift(this.wayTo(here[0].key, here.length === 1 ? "One field needs you" : `${here.length} fields need you`));
+    this.place.replaceChildren(...lines);
     this.show();
+  }
+  /** A button that leads to the field of `key`. */
+  wayTo(key, words) {
+    const go = made("button", { type: "button", className: "quiet" }, words);
+    go.addEventListener("click", () => this.rows.get(key)?.show());
+    return go;
   }
   /** What somebody else wrote at `key` since this page's own change of it began; undefined: nothing. */
   conflict(key) {
-    return this.changes.has(key) && !same(this.seen.get(key), this.was(key)) ? { theirs: this.was(key) } : undefined;
+    return this.rows.get(key)?.chooses && this.changes.has(key) && !same(this.seen.get(key), this.was(key)) ? { theirs: this.was(key) } : undefined;
   }
 
   async save() {
+    const open = [...this.changes.keys()].find((key) => this.conflict(key));
+    if (open) return this.rows.get(open).show();
     try {
       this.busy = true;
       this.show();
@@ -100,7 +112,7 @@ class Edited {
       this.changes.clear();
       await this.load();
       this.place.replaceChildren((count === 1 ? "Saved." : `Saved, ${count} values.`) +
-        " The kiosk takes it up when no visitor is there. You can take it back under Settings.");
+        " The kiosk takes it up when no visitor is there. You can take it back at the end of Settings.");
     } catch (error) {
       if (error.status === 412) return await this.meanwhile();
       if (error.status === 409 && error.said.faults) return this.found(error.said.faults);
@@ -113,11 +125,14 @@ class Edited {
   async meanwhile() {
     await this.load();
     this.found([]);
-    const both = [...this.changes.keys()].some((key) => this.conflict(key));
-    this.place.replaceChildren(made("strong", {}, "Somebody else has changed this file meanwhile. "), both
-      ? "Where you both changed the same, both values stand below: choose, then save again."
-      : "Their change is shown below, and yours still stands in its field: save again.");
+    // Where nothing can be chosen, or only they changed it, the next save is meant for what is there now.
     for (const key of this.changes.keys()) if (!this.conflict(key)) this.seen.set(key, this.was(key));
+    const both = [...this.changes.keys()].filter((key) => this.conflict(key));
+    const words = made("p", {}, made("strong", {}, "Somebody else has changed this file meanwhile. "), !this.dirty
+      ? "It says what you wanted: there is nothing left to save."
+      : both.length > 0 ? "Where you both changed the same, choose whose value stays, then save." : "Theirs is shown, and yours still stands in its field: save again.");
+    this.place.replaceChildren(words, ...(both.length > 0 ? [this.wayTo(both[0], "Choose")] : []));
+    this.show();
   }
   forget() {
     this.changes.clear();
@@ -129,7 +144,8 @@ class Edited {
   }
   show() {
     const [save, forget] = this.buttons;
-    save.disabled = !this.dirty || this.faults.length > 0 || this.busy === true;
+    const open = [...this.changes.keys()].some((key) => this.conflict(key));
+    save.disabled = !this.dirty || this.faults.length > 0 || open || this.busy === true;
     save.textContent = this.changes.size > 1 ? `Save ${this.changes.size} changes` : "Save";
     forget.hidden = !this.dirty;
   }
@@ -139,8 +155,7 @@ class Edited {
 async function outcome(number, place, words) {
   const began = Date.now();
   for (;;) {
-    const now = await ask("/api/saved");
-    if (now.number !== number) throw Object.assign(new Error("Another change was made meanwhile."), { remedy: "Look at the list under Settings." });
+    const now = await ask("/api/saved?number=" + number);
     if (!now.under_way) return now.said;
     const seconds = Math.round((Date.now() - began) / 1000);
     place.replaceChildren(words + (seconds > 0 ? ` (${seconds} s)` : ""));
@@ -148,12 +163,8 @@ async function outcome(number, place, words) {
   }
 }
 
-/** Why the kiosk's program refused: with the file, where it is another one. */
-function refusal(said) {
-  const file = (said.where ?? "").match(/(?:content|config)\/(.*?\.toml)(?::(\d+))?/);
-  const where = file && file[1] !== "exhibit.toml" ? `${file[1]}${file[2] ? ", line " + file[2] : ""}: ` : "";
-  return Object.assign(new Error(where + said.what), { remedy: said.remedy });
-}
+/** Why the kiosk's program refused. */
+const refusal = (said) => Object.assign(new Error(placeOf(said) + said.what), { remedy: said.remedy });
 
 const inWords = (value) => value === undefined || value === null ? "nothing" : Array.isArray(value) ? value.join(", ") : String(value);
 
@@ -195,6 +206,11 @@ function fieldRow(edited, key, field, how = {}) {
   const theirs = made("div", { className: "theirs" });
   row.append(theirs);
   edited.rows.set(key, {
+    chooses: true,
+    show() {
+      input.scrollIntoView({ block: "center" });
+      input.focus({ preventScroll: true });
+    },
     fault(found, conflict) {
       fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : []));
       if (found) input.setAttribute("aria-invalid", "true");
@@ -204,7 +220,7 @@ function fieldRow(edited, key, field, how = {}) {
       const take = made("button", { type: "button", className: "quiet" }, "Take theirs");
       take.addEventListener("click", () => { edited.changes.delete(key); edited.rows.clear(); edited.draw(); edited.show(); });
       const keep = made("button", { type: "button", className: "quiet" }, "Keep mine");
-      keep.addEventListener("click", () => { edited.seen.set(key, edited.was(key)); theirs.replaceChildren(); });
+      keep.addEventListener("click", () => { edited.seen.set(key, edited.was(key)); theirs.replaceChildren(); edited.show(); });
       theirs.replaceChildren(`Theirs: ${inWords(conflict.theirs)}`, take, keep);
     },
   });
@@ -213,7 +229,10 @@ function fieldRow(edited, key, field, how = {}) {
 
 /** A colour to choose beside the one that is typed. */
 function colorBeside(input) {
-  const choose = made("input", { type: "color", className: "color" }), follow = () => { if (/^#[0-9a-f]{6}$/i.test(input.value)) choose.value = input.value; };
+  const choose = made("input", { type: "color", className: "color" }), follow = () => {
+    if (/^#[0-9a-f]{6}$/i.test(input.value)) choose.value = input.value;
+    choose.classList.toggle("none", input.value === "");
+  };
   choose.setAttribute("aria-label", "Choose the colour");
   follow();
   input.addEventListener("input", follow);
@@ -226,9 +245,11 @@ function colorBeside(input) {
 
 /** What was typed, as the file has it; null for nothing. What is no number goes as it is, to be told so. */
 function typed(words, field) {
-  const text = words.trim();
+  let text = words.trim();
   if (text === "") return null;
-  if (["number", "whole"].includes(field.kind)) return /^-?\d+(\.\d+)?$/.test(text) ? Number(text) : text;
+  if (["number", "whole"].includes(field.kind)) return /^-?\d+([.,]\d+)?$/.test(text) ? Number(text.replace(",", ".")) : text;
+  if (/one line/.test(field.allowed)) text = text.replace(/\s*\n\s*/g, " ");
+  if (field.table.startsWith("hours")) text = text.replace(/\s*[-–—]\s*/g, "-").replace(/(^|[-, ])(\d:)/g, "$10$2");
   if (field.kind === "texts") return text.split(",").map((one) => one.trim()).filter(Boolean);
   if (field.kind === "list") return text.startsWith("[") ? text : `[${text}]`;
   return text;
@@ -292,4 +313,3 @@ function wayButtons(name) {
 }
 
 addEventListener("beforeunload", (event) => { if (edits.some((one) => one.dirty)) event.preventDefault(); });
-const edits = [];

@@ -25,10 +25,9 @@ async function showLists() {
   try {
     const exhibit = await ask("/api/edit/exhibit");
     const offered = exhibit.values.languages ?? ["en", "ko"];
-    if ($("list-beside").options.length === 0) {
-      const others = [...new Set([...offered, ...exhibit.languages])].slice(1);
-      $("list-beside").replaceChildren(...others.map((code) => made("option", { value: code }, languageName(code))));
-    }
+    const others = [...new Set([...offered, ...exhibit.languages])].slice(1), chosen = $("list-beside").value;
+    $("list-beside").replaceChildren(...others.map((code) => made("option", { value: code }, languageName(code))));
+    if (others.includes(chosen)) $("list-beside").value = chosen;
     $("list-beside").dataset.first = offered[0];
     await edit.load();
   } catch (error) {

@@ -126,10 +126,12 @@ function exceptions() {
   const row = (day) => fieldRow(settings, key(day), field, { label: day, help: "Empty: no exception.", allowed: "", usual: "" });
   place.append(...[...days].sort().map(row));
   const day = made("input", { id: "exception-day", placeholder: "12-25", autocomplete: "off" });
-  const add = made("button", { type: "button", className: "quiet" }, "Add this day");
+  const add = made("button", { type: "button", className: "quiet" }, "Add this day"), wrong = made("p", { className: "fault" });
+  wrong.setAttribute("role", "alert");
   add.addEventListener("click", () => {
-    const name = day.value.trim();
-    if (!name || days.has(name)) return day.focus();
+    const name = day.value.trim(), good = /^(\d{4}-)?\d\d-\d\d$/.test(name);
+    wrong.textContent = good ? "" : "Write year, month and day (2026-12-24), or month and day (12-24).";
+    if (!good || days.has(name)) return day.focus();
     days.add(name);
     settings.want(key(name), "closed");
     place.append(row(name));
@@ -137,7 +139,7 @@ function exceptions() {
   });
   return made("div", { className: "field wide" }, made("h3", {}, "Days that are different"), place,
     made("label", { htmlFor: "exception-day" }, "A date (2026-12-24), or a day of every year (12-24)"),
-    made("div", { className: "value" }, day, add));
+    made("div", { className: "value" }, day, add), wrong);
 }
 
 async function showSettings() {
@@ -150,12 +152,16 @@ async function showSettings() {
     tell($("settings-words"), error);
   }
 }
+let newest = null; // the change that can be taken back
 async function showRevisions() {
   try {
     const all = await ask("/api/revisions");
-    $("undo").hidden = all.length === 0;
-    $("revisions").replaceChildren(...all.map(({ when, file, words }) => made("li", {}, `${when}  ${file}: ${words.replaceAll("\n", "; ")}`)));
-    $("undo-what").textContent = all.length === 0 ? "Nothing was changed yet." : `The newest: ${all[0].words.replaceAll("\n", "; ")}.`;
+    newest = all[0] ?? null;
+    $("undo").hidden = newest === null;
+    $("undo-forget").hidden = true;
+    const words = ({ file, words: of }) => `${file}: ${of.replaceAll("\n", "; ")}`;
+    $("revisions").replaceChildren(...all.map((one) => made("li", {}, `${one.when}  ${words(one)}`)));
+    $("undo-what").textContent = newest === null ? "Nothing was changed yet." : `The newest, of ${newest.when}: ${words(newest)}.`;
   } catch (error) {
     tell($("undo-words"), error);
   }
@@ -167,18 +173,26 @@ $("settings-form").addEventListener("submit", async (event) => {
   showRevisions();
 });
 $("settings-forget").addEventListener("click", () => settings.forget());
-$("undo").addEventListener("click", async () => {
-  $("undo").disabled = true;
+
+/** Takes the newest change back, or only forgets it: the one that is shown, and no other that came meanwhile. */
+async function takeBack(forget) {
+  $("undo").disabled = $("undo-forget").disabled = true;
   try {
-    const begun = await ask("/api/undo", {});
+    const begun = await ask("/api/undo", { id: newest.id, forget });
     const said = await outcome(begun.number, $("undo-words"), "Looking at the whole exhibit, then taking it back…");
-    if (!said.done) return tell($("undo-words"), refusal(said));
-    await settings.load();
-    $("undo-words").textContent = "Taken back: " + said.words.join(" ");
+    await showRevisions();
+    if (!said.done) {
+      $("undo-forget").hidden = said.another_file === true;
+      return tell($("undo-words"), refusal(said));
+    }
+    // It is done, even where the file cannot be shown then.
+    if (!settings.dirty) await settings.load().catch((error) => tell($("settings-words"), error));
+    $("undo-words").textContent = (forget ? "Forgotten, and the file stays as it is: " : "Taken back: ") + said.words.join(" ");
   } catch (error) {
     tell($("undo-words"), error);
   } finally {
-    $("undo").disabled = false;
-    showRevisions();
+    $("undo").disabled = $("undo-forget").disabled = false;
   }
-});
+}
+$("undo").addEventListener("click", () => takeBack(false));
+$("undo-forget").addEventListener("click", () => takeBack(true));

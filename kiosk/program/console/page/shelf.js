@@ -33,7 +33,13 @@ function drawShelf() {
     return item;
   }));
 }
-orderable($("shelf-list"), (ids) => shelfEdit.want("order", ids));
+/** The first of `ids` that must be written: those behind them stand by the alphabet anyway, and a new vessel among them. */
+function needed(ids) {
+  let count = ids.length - 1;
+  while (count > 0 && ids[count - 1] < ids[count]) --count;
+  return ids.slice(0, Math.max(count, 0));
+}
+orderable($("shelf-list"), (ids) => shelfEdit.want("order", needed(ids)));
 
 async function showShelf() {
   if (labelEdit) return;

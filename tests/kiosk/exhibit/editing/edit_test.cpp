@@ -268,6 +268,22 @@ TEST(edit, takes_a_value_out_and_undo_puts_it_back_also_beside_what_a_hand_chang
   EXPECT_EQ(now.credit, "Onggi");
 }
 
+TEST(edit, takes_back_the_change_that_is_meant_and_no_other_that_came_meanwhile) {
+  const SmallSite site;
+  ASSERT_TRUE(set(site, "idle.warn_after", "90"));
+  const std::string meant = Revisions(site.exhibit()).read().front().kept_in.stem().string();
+  ASSERT_TRUE(set(site, "sound.volume", "0.25"));
+  const std::string before = content(site.exhibit());
+  const auto refused = undo(site.exhibit(), meant);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().exit_code, kAnotherFile);
+  EXPECT_FALSE(forget_newest(site.exhibit(), meant));
+  EXPECT_EQ(content(site.exhibit()), before);
+  EXPECT_EQ(Revisions(site.exhibit()).read().size(), 2u);
+  ASSERT_TRUE(undo(site.exhibit()));
+  EXPECT_TRUE(undo(site.exhibit(), meant));
+}
+
 // Two browsers and a hand with a text editor, each counting in the same value: whoever writes has
 // seen what was written before.
 class Counting {

@@ -18,6 +18,8 @@ using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
+const char* const kUndo = R"({"id": "00000007"})";
+
 /// A browser's request.
 web::Ask asking(const std::string& from = "", const std::string& body = "") {
   web::Ask ask{"GET", "/"};
@@ -45,10 +47,18 @@ class EditPage : public ::testing::Test {
     const std::string body = R"({"tag": ")" + tag + R"(", "changes": )" + changes + "}";
     return edit_.save(asking("10.0.0.7", body), name, "maria", 1000);
   }
+  static web::Ask asking_for(const std::string& number) {
+    web::Ask ask = asking();
+    ask.target = "/api/saved?number=" + number;
+    return ask;
+  }
+  json saved(const std::string& number) {
+    return json::parse(edit_.saved(asking_for(number)).body);
+  }
   std::optional<ChangeLog::Change> wait() {
     for (int n = 0; n < 3000; ++n) {
       if (const auto change = edit_.ended()) return change;
-      if (!json::parse(edit_.saved().body)["under_way"].get<bool>()) return edit_.ended();
+      if (!edit_.under_way()) return edit_.ended();
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return std::nullopt;
@@ -97,9 +107,12 @@ TEST_F(EditPage, AChangeIsHandedOnInTheFilesOwnWordsAndNotedWithWhoMadeIt) {
   EXPECT_EQ(change->from, "10.0.0.7");
   EXPECT_THAT(change->what, HasSubstr("exhibit.toml: credit is \"Museum"));
   EXPECT_FALSE(edit_.ended());
-  const json saved = json::parse(edit_.saved().body);
-  EXPECT_EQ(saved["number"], 1);
-  EXPECT_EQ(saved["said"]["done"], true);
+  EXPECT_EQ(saved("1")["said"]["done"], true);
+  EXPECT_EQ(edit_.saved(asking_for("2")).status, 404);
+  // Another one after it takes nothing of the first from who asks late.
+  ASSERT_EQ(save(R"([["credit", "B"]])", tag).status, 202);
+  EXPECT_EQ(saved("1")["said"]["done"], true);
+  EXPECT_TRUE(wait());
 }
 
 TEST_F(EditPage, AFileThatSomebodyElseChangedIsNotWritten) {
@@ -117,6 +130,8 @@ TEST_F(EditPage, AFaultIsSaidAtOnceAndNothingBegins) {
   EXPECT_EQ(answer.status, 409);
   EXPECT_EQ(json::parse(answer.body)["faults"][0]["key"], "idle.warn_after");
   EXPECT_EQ(save("[]", get("exhibit")["tag"]).status, 409);
+  EXPECT_THAT(save(R"([["idle.warn_after", 60]])", get("exhibit")["tag"]).body,
+              HasSubstr("It is so already."));
   EXPECT_FALSE(fs::exists(words_file()));
 }
 
@@ -128,17 +143,25 @@ TEST_F(EditPage, TwoAtOnceMakeNoMixture) {
   const web::Answer second = save(R"([["credit", "B"]])", tag);
   EXPECT_EQ(second.status, 503);
   EXPECT_THAT(second.body, HasSubstr("Another change is being made"));
-  EXPECT_EQ(edit_.undo(asking(), "joon", 1).status, 503);
+  EXPECT_EQ(edit_.undo(asking("", kUndo), "joon", 1).status, 503);
   folder_.write("go", "");
   EXPECT_FALSE(wait());  // refused by the program: nothing to note
 }
 
 TEST_F(EditPage, TakingBackIsAskedOfTheProgramAndNoted) {
-  ASSERT_EQ(edit_.undo(asking("10.0.0.8"), "joon", 1000).status, 202);
+  program("printf '%s\\n' \"$@\" > " + words_file().string() +
+          "; echo '{\"done\": true, \"words\": [\"credit is A again.\"]}'");
+  EXPECT_EQ(edit_.undo(asking("10.0.0.8", "{}"), "joon", 1000).status, 409);
+  ASSERT_EQ(edit_.undo(asking("10.0.0.8", kUndo), "joon", 1000).status, 202);
   const auto change = wait();
   ASSERT_TRUE(change);
-  EXPECT_THAT(words(), ElementsAre("undo", "--json", "-", "--config", folder_.exhibit().string()));
+  EXPECT_THAT(words(), ElementsAre("undo", "--json", "-", "--if", "00000007", "--config",
+                                   folder_.exhibit().string()));
   EXPECT_EQ(change->did, "took back");
+  EXPECT_THAT(change->what, HasSubstr("credit is A again."));
+  ASSERT_EQ(edit_.undo(asking("", R"({"id": "00000007", "forget": true})"), "joon", 1).status, 202);
+  EXPECT_EQ(wait()->did, "forgot");
+  EXPECT_EQ(words().back(), "--forget");
 }
 
 TEST_F(EditPage, TheShelfIsInTheOrderOfVisitorsWithWhatTheyDoNotSee) {
