@@ -18,6 +18,7 @@
 #include "kiosk/keepsake/store/statistics.h"
 #include "kiosk/keepsake/store/visit_store.h"
 #include "kiosk/program/setup/accounts.h"
+#include "kiosk/program/watch/kiosk_state.h"
 #include "tests/kiosk/ground/files/disk.h"
 #include "tests/kiosk/program/setup/setup_image.h"
 
@@ -149,6 +150,27 @@ TEST_F(Users, TheKioskKeepsAndDeletesButChangesNoExhibit) {
   EXPECT_FALSE(as(kAsKiosk, [&] { return writes(site() / "config/exhibit.toml"); }));
   EXPECT_FALSE(as(kAsKiosk, [&] { return writes(site() / "content/new.toml"); }));
   EXPECT_FALSE(as(kAsKiosk, [&] { return writes(site() / "revisions/1"); }));
+}
+
+TEST_F(Users, ThePhonesProgramCannotSayWhoMayComeIntoTheStaffsPage) {
+  set_up();
+  watch::KioskState state;
+  state.way_in = "a digest";
+  state.way_in_until = 4000;
+  const auto say = [&] {
+    std::error_code ignored;
+    fs::remove(kept() / watch::kStateFile, ignored);
+    std::ofstream(kept() / watch::kStateFile) << watch::text_of(state);
+    return fs::exists(kept() / watch::kStateFile);
+  };
+  const auto heard = [&] {
+    const watch::SeenKiosk seen = watch::look_at_kiosk(kept());
+    return seen.state && seen.state->way_in == state.way_in;
+  };
+  ASSERT_TRUE(as(kAsKiosk, say));
+  EXPECT_TRUE(as(kAsConsole, heard));
+  ASSERT_TRUE(as(kAsPhone, say)) << "it may write in this folder";
+  EXPECT_FALSE(as(kAsConsole, heard));
 }
 
 TEST_F(Users, OthersOfTheMachineReadKeepsakesAndNothingMore) {
