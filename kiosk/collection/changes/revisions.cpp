@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -138,6 +139,10 @@ Result<void> Revisions::lock() {
   const fs::path file = folder_ / "lock";
   lock_ = files::Descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0664));
   if (!lock_.open()) return tl::unexpected(files::disk_problem(file, "write", errno));
+  // Whoever of the folder's group comes next takes the same lock, also where root made it.
+  struct stat above {};
+  if (::stat(folder_.c_str(), &above) == 0 && (above.st_mode & S_IWGRP) != 0)
+    static_cast<void>(::fchmod(lock_.get(), 0664));
   while (::flock(lock_.get(), LOCK_EX) != 0)
     if (errno != EINTR) return tl::unexpected(files::disk_problem(file, "write", errno));
   std::error_code ignored;

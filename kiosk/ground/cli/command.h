@@ -29,6 +29,8 @@ struct Option {
   bool shows_default = false;  ///< The help shows the field's value at that moment.
   bool hidden = false;         ///< The help does not show it.
   std::string excludes{};  ///< The name of an option that cannot be used together with this one.
+  std::string alone{};  ///< For a string: its value where the option stands without one. Empty: it
+                        ///< needs one.
 };
 
 /// A command of the program as plain values, independent of the library that reads the command

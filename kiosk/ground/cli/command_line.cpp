@@ -49,8 +49,10 @@ CLI::Option* add_field(CLI::App& to, const Option& option, files::Output* field)
       ->check(option.required ? not_empty_where_required : not_empty);
 }
 CLI::Option* add_field(CLI::App& to, const Option& option, std::string* field) {
-  return to.add_option(option.name, *field, option.help)
-      ->check(option.required ? not_empty_where_required : not_empty);
+  CLI::Option* added = to.add_option(option.name, *field, option.help)
+                           ->check(option.required ? not_empty_where_required : not_empty);
+  if (!option.alone.empty()) added->expected(0, 1)->default_str(option.alone);
+  return added;
 }
 /// CLI11 takes the nearest number that fits for one that is too large.
 template <class Whole>

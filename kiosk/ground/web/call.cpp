@@ -3,10 +3,12 @@
 #include <sys/socket.h>
 
 #include <boost/asio/ip/address.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
+#include <cstring>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -60,19 +62,37 @@ std::string head_of(const Answer& given) {
   return std::move(text).str();
 }
 
+/// `text` if it is an IP address; else "".
+template <class Text>
+std::string address_in(const Text& text) {
+  error_code error;
+  const auto address = asio::ip::make_address(std::string(text), error);
+  return error ? "" : address.to_string();
+}
+
 }  // namespace
 
-std::string address_of(const Tcp::socket& socket) {
+std::string address_of(const Socket& socket) {
   error_code error;
-  const Tcp::endpoint end = socket.remote_endpoint(error);
-  if (error) return {};
+  const Socket::endpoint_type other = socket.remote_endpoint(error);
+  const int family = other.data()->sa_family;
+  Tcp::endpoint end;
+  if (error || (family != AF_INET && family != AF_INET6) || other.size() > end.capacity())
+    return {};
+  std::memcpy(end.data(), other.data(), other.size());
   const asio::ip::address address = end.address();
   if (address.is_v6() && address.to_v6().is_v4_mapped())
     return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
   return address.to_string();
 }
 
-Call::Call(Tcp::socket socket, Answering& answers, const Patience& patience,
+bool is_from_proxy(const Socket& socket) {
+  error_code error;
+  const Socket::endpoint_type own = socket.local_endpoint(error);
+  return !error && own.data()->sa_family == AF_UNIX;
+}
+
+Call::Call(Socket socket, Answering& answers, const Patience& patience,
            std::function<void(Work)> in_turn, Work asked, Work closed)
     : socket_(std::move(socket)),
       timer_(socket_.get_executor()),
@@ -98,12 +118,21 @@ void Call::begin() {
         if (!self->sending_) self->end();
       });
   });
-  http::async_read(socket_, buffer_, parser_,
-                   [self = shared_from_this()](error_code error, std::size_t) {
-                     if (!error) self->in_turn_([self] { self->answer(); });
-                     if (error == http::error::header_limit)
-                       self->in_turn_([self] { self->refuse_head(); });
-                   });
+  http::async_read(
+      socket_, buffer_, parser_, [self = shared_from_this()](error_code error, std::size_t) {
+        if (!error) self->in_turn_([self] { self->answer(); });
+        if (error == http::error::header_limit)
+          self->in_turn_([self] {
+            self->refuse(431, "The head of this request is longer than " +
+                                  std::to_string(kMostOfAHead) +
+                                  " bytes. Ask with fewer or shorter fields.\n");
+          });
+        if (error == http::error::body_limit)
+          self->in_turn_([self] {
+            self->refuse(413, "This request is longer than " +
+                                  std::to_string(self->answers_.most_of_a_body()) + " bytes.\n");
+          });
+      });
 }
 
 void Call::end() {
@@ -128,19 +157,15 @@ void Call::answer() {
   ask.type = std::string(request[http::field::content_type]);
   ask.if_none_match = std::string(request[http::field::if_none_match]);
   ask.body = request.body();
-  ask.from = address_of(socket_);
+  // Elsewhere anybody could write any address.
+  ask.from = is_from_proxy(socket_) ? address_in(request["X-Real-IP"]) : address_of(socket_);
   // HEAD asks for the head of the answer to GET.
   send(answers_.to(ask), ask.method != "HEAD");
 }
 
-void Call::refuse_head() {
+void Call::refuse(int status, const std::string& what) {
   if (!socket_.is_open()) return;
-  Answer given;
-  given.status = 431;
-  given.type = "text/plain; charset=utf-8";
-  given.body = "The head of this request is longer than " + std::to_string(kMostOfAHead) +
-               " bytes. Ask with fewer or shorter fields.\n";
-  send(std::move(given), true);
+  send({.status = status, .type = "text/plain; charset=utf-8", .body = what}, true);
 }
 
 void Call::send(Answer given, bool content) {
@@ -165,7 +190,7 @@ void Call::send_on() {
   if (step == Sending::Step::broken) return end();
   if (step == Sending::Step::all) {
     error_code ignored;
-    socket_.shutdown(Tcp::socket::shutdown_send, ignored);
+    socket_.shutdown(Socket::shutdown_send, ignored);
     // What a phone said beyond its request is taken: a connection that is closed with words unread
     // tells the phone to forget what is still on its way. One that goes on talking is not heard
     // out, because all others wait meanwhile.
@@ -180,7 +205,7 @@ void Call::send_on() {
     if (!deleted_ && sending_->deleted()) deleted_ = moved_;
   }
   if (deleted_ && Clock::now() - *deleted_ > patience_.progress) return end();
-  socket_.async_wait(Tcp::socket::wait_write, [self = shared_from_this()](error_code error) {
+  socket_.async_wait(Socket::wait_write, [self = shared_from_this()](error_code error) {
     if (!error) self->in_turn_([self] { self->send_on(); });
   });
 }

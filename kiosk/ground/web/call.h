@@ -1,6 +1,6 @@
 #pragma once
 
-#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/parser.hpp>
@@ -24,18 +24,24 @@ struct Patience {
                                               ///< has left when its keepsake is deleted.
 };
 
-/// The address at the other end, an IPv4 one written as such; "" if it is gone.
-std::string address_of(const boost::asio::ip::tcp::socket& socket);
+/// A connection over TCP or a Unix socket.
+using Socket = boost::asio::generic::stream_protocol::socket;
+
+/// The address at the other end, an IPv4 one written as such; "" if it is gone, or at a Unix
+/// socket.
+std::string address_of(const Socket& socket);
+/// True for a connection over a Unix socket, which only a proxy of this machine may open.
+bool is_from_proxy(const Socket& socket);
 
 /// One connection: a request of at most 8 KiB head and Answering::most_of_a_body(), and its answer;
-/// a longer head is told so, and anything else that is no request is closed without a word. Closes
-/// itself. Held alive by what it waits for. One thread.
+/// a longer head or body is told so, and anything else that is no request is closed without a word.
+/// Closes itself. Held alive by what it waits for. One thread.
 class Call : public std::enable_shared_from_this<Call> {
  public:
   using Work = std::function<void()>;
   /// `in_turn` is given each piece of work, and does it when it is this phone's turn. `asked` is
   /// called when the request is whole, `closed` when the call goes.
-  Call(boost::asio::ip::tcp::socket socket, Answering& answers, const Patience& patience,
+  Call(Socket socket, Answering& answers, const Patience& patience,
        std::function<void(Work)> in_turn, Work asked, Work closed);
   ~Call();
   Call(const Call&) = delete;
@@ -49,13 +55,13 @@ class Call : public std::enable_shared_from_this<Call> {
   using Clock = std::chrono::steady_clock;
 
   void answer();
-  void refuse_head();
+  void refuse(int status, const std::string& what);
   void send(Answer given, bool content);
   void send_on();
   void watch();
   void end_if_nothing_moves();
 
-  boost::asio::ip::tcp::socket socket_;
+  Socket socket_;
   boost::asio::steady_timer timer_;
   boost::beast::flat_buffer buffer_;
   boost::beast::http::request_parser<boost::beast::http::string_body> parser_;

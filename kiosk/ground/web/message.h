@@ -27,7 +27,8 @@ struct Ask {
   std::string type{};          ///< Content-Type
   std::string if_none_match{};
   std::string body{};
-  std::string from{};  ///< The address that it comes from, "127.0.0.1".
+  std::string from{};  ///< The address that it comes from, "127.0.0.1"; a proxy at a Unix socket
+                       ///< says it as X-Real-IP.
 };
 
 /// Bytes that are sent from a file, or made of it, a piece at a time.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,10 +13,12 @@
 
 namespace onggi::web {
 
-/// An address with a port, as somebody writes it: "127.0.0.1:8080", "[::1]:8080" or "::1:8080".
+/// Where to listen, as somebody writes it: "127.0.0.1:8080", "[::1]:8080" or "::1:8080"; or
+/// "unix:/run/onggi-console/page.sock".
 struct Listening {
   std::string address;  ///< Without brackets.
   std::uint16_t port = 0;
+  std::filesystem::path file{};  ///< Of a Unix socket; then there is no address.
 };
 /// Problem, exit 2, if `text` is none. Whether the machine has the address is not asked.
 Result<Listening> listening(const std::string& text);
@@ -38,9 +41,14 @@ class Server {
                                                 Answering& answers) {
     return listen(address, port, answers, Limits());
   }
+  /// Listens at the Unix socket `file`, for a proxy of this machine: its user and group may
+  /// connect, nobody else. A socket that no program serves any more is replaced, and the socket
+  /// goes with the server. Problem, exit 1.
+  static Result<std::unique_ptr<Server>> listen(const std::filesystem::path& file,
+                                                Answering& answers, const Limits& limits);
   ~Server();
 
-  std::uint16_t port() const;
+  std::uint16_t port() const;  ///< 0 at a Unix socket.
   /// Answers until stop(). Calls `look_after` at the start and once a minute; while it returns
   /// true, again, as soon as those who were waiting have had their turn.
   void run(const std::function<bool()>& look_after);

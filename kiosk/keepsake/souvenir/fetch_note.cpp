@@ -12,6 +12,7 @@
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/ground/files/shared_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -41,6 +42,7 @@ Result<void> leave_fetch_note(const fs::path& folder, const FetchNote& note) {
   // A power cut may have left the name without its day.
   if (const auto size = fs::file_size(file, error); !error && size > 0) return {};
   if (auto made = files::make_folder(folder); !made) return made;
+  files::share_as_above(folder);
   files::Descriptor written(::open(
       part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644));
   if (written.open() && files::write_all(written.get(), std::as_bytes(std::span(note.day))) &&

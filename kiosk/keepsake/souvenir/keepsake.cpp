@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/shared_folder.h"
 #include "kiosk/ground/files/zstandard.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
@@ -48,7 +49,10 @@ Result<std::string> take_name(const fs::path& folder, const std::string& wanted)
     std::error_code error;
     if (fs::symlink_status(folder / name, error).type() != fs::file_type::not_found) continue;
     // create_directory is atomic: of two writers only one succeeds.
-    if (fs::create_directory(folder / (name + kPartial), error)) return name;
+    if (fs::create_directory(folder / (name + kPartial), error)) {
+      files::share_as_above(folder / (name + kPartial));
+      return name;
+    }
     if (error) {
       return tl::unexpected(
           files::disk_problem(folder / (name + kPartial), "write", error.value()));

@@ -14,6 +14,7 @@
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/ground/files/shared_folder.h"
 #include "kiosk/keepsake/souvenir/fetch_note.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/souvenir/printed_pot.h"
@@ -195,8 +196,9 @@ void OpenPasses::serve() const {
   const fs::path said = folder() / Passes::kServed;
   if (::utimensat(AT_FDCWD, said.c_str(), nullptr, AT_SYMLINK_NOFOLLOW) == 0) return;
   const std::string text = "onggi-console answers phones\n";
-  if (files::make_folder(folder()))
-    static_cast<void>(files::write_durably(said, std::as_bytes(std::span(text))));
+  if (!files::make_folder(folder())) return;
+  files::share_as_above(folder());
+  static_cast<void>(files::write_durably(said, std::as_bytes(std::span(text))));
 }
 
 void OpenPasses::end_serving() const {

@@ -10,6 +10,7 @@
 
 #include "kiosk/ground/files/clock_jump.h"
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/shared_folder.h"
 #include "kiosk/keepsake/souvenir/pass_ages.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
@@ -74,6 +75,7 @@ Result<Pass> Passes::give(const std::string& visit, std::int64_t now, double hou
   struct stat of {};
   if (::geteuid() == 0 && ::stat(keepsakes_.c_str(), &of) == 0)
     static_cast<void>(::lchown(folder().c_str(), of.st_uid, of.st_gid));
+  files::share_as_above(folder());
   const std::string text = text_of(pass);
   if (auto written = files::write_durably(folder() / pass.token, std::as_bytes(std::span(text)));
       !written)

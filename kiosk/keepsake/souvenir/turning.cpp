@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/shared_folder.h"
 #include "kiosk/keepsake/souvenir/visit_folder.h"
 
 namespace onggi::souvenir {
@@ -54,6 +55,7 @@ Result<fs::path> add_turning(const fs::path& visit, std::span<const std::byte> g
     making.keep();
     return tl::unexpected(files::disk_problem(there, "make", error ? error.value() : EEXIST));
   }
+  files::share_as_above(making.path());
   if (auto written = files::write_durably(making.path() / kTurning, gif); !written)
     return tl::unexpected(written.error());
   if (auto moved = files::rename_durably(making.path() / kTurning, visit / kTurning); !moved)

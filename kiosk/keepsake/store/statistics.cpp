@@ -1,7 +1,9 @@
 #include "kiosk/keepsake/store/statistics.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -121,6 +123,9 @@ Result<Statistics> read_statistics(const std::string& file, const std::string& f
     return problem(file, "There is no store of visits.",
                    "The first visit creates it beside the keepsakes. Name another store with "
                    "--store FILE.");
+  if (::access(file.c_str(), R_OK) != 0 && errno == EACCES)
+    return problem(file, "This user may not read what visitors did.",
+                   "Type sudo before the command.", 1);
   // Note the file as read, so that no report overwrites it.
   struct stat read {};
   if (stat(file.c_str(), &read) == 0) files::note_read(read);

@@ -1,5 +1,6 @@
 #include "kiosk/keepsake/store/visit_store.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "kiosk/ground/files/clock_jump.h"
+#include "kiosk/ground/files/descriptor.h"
 #include "kiosk/ground/files/local_time.h"
 #include "kiosk/keepsake/store/migrations.h"
 
@@ -38,6 +40,20 @@ Problem problem_of(const fs::path& file, const std::string& what, const Database
       break;
   }
   return {file.string(), what + ": " + words + ".", "Play goes on. Please report it.", 1};
+}
+
+/// What visitors did is for the kiosk's user and group alone, so not for the program that phones
+/// reach. SQLite gives its log the same rights.
+void shut_to_others(const std::filesystem::path& file) {
+  constexpr mode_t kMode = 0640;
+  const files::Descriptor made(
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kMode));
+  for (const char* tail : {"", "-wal"}) {
+    const std::string one = file.string() + tail;
+    struct stat info {};
+    if (::lstat(one.c_str(), &info) == 0 && S_ISREG(info.st_mode) && (info.st_mode & 07) != 0)
+      static_cast<void>(::chmod(one.c_str(), info.st_mode & 0770));
+  }
 }
 
 /// True if the file cannot be read to its end, or lacks tables of its version.
@@ -117,6 +133,7 @@ Result<VisitStore> VisitStore::open(const fs::path& file, const std::string& sta
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   for (const bool again : {false, true}) {
+    shut_to_others(file);
     std::optional<Database> database(Database::open(file, Database::Mode::own));
     if (!is_damaged(*database) && database->trouble() == Trouble::none) {
       if (const auto version = database->number("PRAGMA user_version").value_or(0);

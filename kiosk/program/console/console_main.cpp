@@ -1,3 +1,5 @@
+#include <grp.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +23,7 @@
 #include "kiosk/keepsake/phone/answers.h"
 #include "kiosk/keepsake/souvenir/pass.h"
 #include "kiosk/keepsake/souvenir/printed_pot.h"
+#include "kiosk/program/console/served_at.h"
 #include "kiosk/program/console/staff_answers.h"
 
 namespace {
@@ -29,6 +33,8 @@ constexpr const char* kHelp =
     "The kiosk plays without it.\n\n"
     "Usage: onggi-console --site DIR [--listen 127.0.0.1:8090]    the staff's page; DIR holds\n"
     "                     config/ and content/. It prints the address to open\n"
+    "       onggi-console --site DIR --listen unix:SOCKET --address https://HOST[:PORT]\n"
+    "                     the same behind a proxy, which serves it by HTTPS at each --address\n"
     "       onggi-console --site DIR --code    another way in, good once and for an hour\n"
     "       onggi-console --phone-only --keepsakes DIR [--listen 127.0.0.1:8080]\n"
     "                     [--languages content/languages]\n"
@@ -41,6 +47,7 @@ constexpr const char* kHelp =
 
 struct Arguments {
   std::string site, state, keepsakes, listen, pass, hours = "24", languages, stl, to = "pot.stl";
+  std::vector<std::string> addresses;
   bool phone_only = false, code = false, help = false;
   std::vector<std::string_view> given;  // options, without --help
 };
@@ -58,7 +65,9 @@ onggi::Result<Arguments> read(int count, char** values) {
       a.given.push_back(name);
       continue;
     }
+    std::string address;
     std::string* field = name == "--keepsakes"   ? &a.keepsakes
+                         : name == "--address"   ? &address
                          : name == "--site"      ? &a.site
                          : name == "--state"     ? &a.state
                          : name == "--listen"    ? &a.listen
@@ -79,6 +88,7 @@ onggi::Result<Arguments> read(int count, char** values) {
     if (field->empty())
       return onggi::problem(std::string(name), "It is empty.",
                             "Name something, or leave the option out.");
+    if (field == &address) a.addresses.push_back(address);
   }
   return a;
 }
@@ -94,10 +104,11 @@ onggi::Result<void> fitting(const Arguments& a) {
     return onggi::problem("onggi-console", "The action is missing.",
                           "Use --site for the staff's page, --phone-only for visitors' phones.");
   constexpr std::pair<std::string_view, std::string_view> kSeen[] = {
-      {"--hours", "--pass"},           {"--to", "--stl"},
-      {"--state", "--site"},           {"--code", "--site"},
-      {"--listen", "--site"},          {"--listen", "--phone-only"},
-      {"--keepsakes", "--phone-only"}, {"--languages", "--phone-only"}};
+      {"--hours", "--pass"},          {"--to", "--stl"},
+      {"--state", "--site"},          {"--code", "--site"},
+      {"--listen", "--site"},         {"--listen", "--phone-only"},
+      {"--address", "--site"},        {"--keepsakes", "--phone-only"},
+      {"--languages", "--phone-only"}};
   for (const std::string_view name : a.given) {
     const bool seen =
         name == action || std::ranges::find(kSeen, std::pair(name, action)) != std::end(kSeen);
@@ -152,6 +163,12 @@ std::filesystem::path languages_for(const std::filesystem::path& keepsakes) {
   return {};
 }
 
+onggi::Result<std::unique_ptr<onggi::web::Server>> listen_at(const onggi::web::Listening& at,
+                                                             onggi::web::Answering& answers) {
+  if (!at.file.empty()) return onggi::web::Server::listen(at.file, answers, {});
+  return onggi::web::Server::listen(at.address, at.port, answers);
+}
+
 onggi::Result<int> serve(const Arguments& a) {
   const auto at = onggi::web::listening(a.listen.empty() ? "127.0.0.1:8080" : a.listen);
   if (!at) return tl::unexpected(at.error());
@@ -171,9 +188,12 @@ onggi::Result<int> serve(const Arguments& a) {
           a.languages.empty() ? languages_for(a.keepsakes) : std::filesystem::path(a.languages),
           remarks));
   for (const onggi::Problem& remark : remarks) std::cerr << onggi::to_text(remark) << '\n';
-  const auto server = onggi::web::Server::listen(at->address, at->port, answers);
+  const auto server = listen_at(*at, answers);
   if (!server) return tl::unexpected(server.error());
-  std::cout << "listening at port " << (*server)->port() << std::endl;
+  if (at->file.empty())
+    std::cout << "listening at port " << (*server)->port() << std::endl;
+  else
+    std::cout << "listening at " << at->file.string() << std::endl;
   (*server)->run([&answers] { return answers.look_after(); });
   answers.end();
   return 0;
@@ -200,17 +220,6 @@ std::filesystem::path state_for(const Arguments& a, const std::filesystem::path&
   return (states.empty() ? set("HOME") / ".local/state" : states) / "onggi-console" / own;
 }
 
-/// The Host fields by which this server is asked.
-std::vector<std::string> hosts_of(const std::string& address, std::uint16_t port) {
-  const bool v6 = address.find(':') != std::string::npos;
-  std::vector<std::string> hosts{v6 ? '[' + address + ']' : address};
-  if (address == "127.0.0.1" || address == "::1") hosts.emplace_back("localhost");
-  // A browser leaves the usual port out.
-  if (port != 80)
-    for (std::string& host : hosts) host += ':' + std::to_string(port);
-  return hosts;
-}
-
 /// Problem, exit 1, where the keepsakes are there and this user may not read them: the page would
 /// say that the kiosk is off.
 onggi::Result<void> may_read(const std::filesystem::path& keepsakes) {
@@ -219,60 +228,98 @@ onggi::Result<void> may_read(const std::filesystem::path& keepsakes) {
                         "Type sudo before the command.", 1);
 }
 
-/// The staff's page. Until there are names and passwords, only this machine reaches it.
-onggi::Result<int> serve_staff(const Arguments& a) {
-  namespace console = onggi::console;
+/// Where the staff's page may listen: for this machine alone, or for a proxy.
+onggi::Result<onggi::web::Listening> staff_listening(const Arguments& a) {
   auto at = onggi::web::listening(a.listen.empty() ? "127.0.0.1:8090" : a.listen);
   if (!at) return tl::unexpected(at.error());
+  if (at->file.empty() && !a.addresses.empty())
+    return onggi::problem("--address " + a.addresses.front(),
+                          "Only a proxy serves the page at another address, and it asks by a Unix "
+                          "socket.",
+                          "Write --listen unix:/run/onggi-console/page.sock too.");
   if (at->address == "localhost") at->address = "127.0.0.1";
-  if (at->address != "127.0.0.1" && at->address != "::1")
+  if (at->file.empty() && at->address != "127.0.0.1" && at->address != "::1")
     return onggi::problem("--listen " + a.listen,
                           "The staff's page is for this machine alone: whoever reads along on a "
                           "network would see its code.",
                           "Write --listen 127.0.0.1:8090. From another computer: ssh -L "
-                          "8090:127.0.0.1:8090 KIOSK, and open the printed address there.");
+                          "8090:127.0.0.1:8090 KIOSK, and open the printed address there. By "
+                          "HTTPS: sudo onggi setup --console");
+  return at;
+}
+
+/// The user whose `state` folder this is writes there: what root leaves in it, that user's program
+/// could not change.
+onggi::Result<void> become_owner_of(const std::filesystem::path& state) {
+  struct stat info {};
+  if (::geteuid() != 0 || ::stat(state.c_str(), &info) != 0 || info.st_uid == 0) return {};
+  if (::setgroups(0, nullptr) == 0 && ::setgid(info.st_gid) == 0 && ::setuid(info.st_uid) == 0)
+    return {};
+  return onggi::problem(state.string(), "This program cannot become the user of this folder.",
+                        "Type the command as that user.", 1);
+}
+
+/// Another way in, for the program that serves the page with this state folder. `pages`: its
+/// addresses, where they are known.
+onggi::Result<int> give_code(const std::filesystem::path& state, std::int64_t now,
+                             const std::vector<std::string>& pages) {
+  namespace console = onggi::console;
+  if (auto became = become_owner_of(state); !became) return tl::unexpected(became.error());
+  if (!console::Door::served(state))
+    return onggi::problem(
+        state.string(), "No page is served with this folder, so that a code would open nothing.",
+        "Start it: sudo systemctl start onggi-console. Or, where somebody started it by hand, "
+        "write the same user and --state.",
+        1);
+  const auto code = console::Door::give_code(state, now);
+  if (!code) return tl::unexpected(code.error());
+  if (pages.empty())
+    std::cout << "Put this behind the page's address, within an hour. It opens once:\n  /?code="
+              << *code << '\n';
+  else
+    std::cout << "Open this within an hour. It opens once:\n";
+  for (const std::string& page : pages) std::cout << "  " << page << "/?code=" << *code << '\n';
+  return 0;
+}
+
+/// The staff's page, for this machine alone or behind a proxy.
+onggi::Result<int> serve_staff(const Arguments& a) {
+  namespace console = onggi::console;
+  const auto listening = staff_listening(a);
+  if (!listening) return tl::unexpected(listening.error());
+  const bool proxied = !listening->file.empty();
+  onggi::Result<console::ServedAt> at = console::ServedAt{};
+  if (proxied) at = console::served_by_proxy(a.addresses);
+  if (!at) return tl::unexpected(at.error());
   auto site = console::Site::open(a.site);
   if (!site) return tl::unexpected(site.error());
   onggi::files::note_reads(false);  // it reads for days, and writes no output over what it read
   const std::filesystem::path file = site->file(), state = state_for(a, file);
   if (auto readable = may_read(site->exhibit().keepsake.folder); !readable)
     return tl::unexpected(readable.error());
+  const auto clock = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
+  if (a.code) return give_code(state, clock(), at->pages);
   auto people = console::People::open(state);
   if (!people) return tl::unexpected(people.error());
-  const auto clock = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
-  if (a.code) {
-    if (!console::Door::served(state))
-      return onggi::problem(
-          state.string(), "No page is served with this folder, so that a code would open nothing.",
-          "Start it: sudo systemctl start onggi-console. Or, where somebody started it by hand, "
-          "write the same user and --state.",
-          1);
-    const auto code = console::Door::give_code(state, clock());
-    if (!code) return tl::unexpected(code.error());
-    std::cout << "Put this behind the page's address, within an hour. It opens once:\n  /?code="
-              << *code << '\n';
-    return 0;
-  }
   console::StaffAnswers staff({.site = std::move(*site),
                                .check = console::FileCheck(onggi_program(), file),
                                .onggi = onggi_program(),
                                .people = std::move(*people),
                                .changes = console::ChangeLog(state),
                                .clock = clock});
-  const auto server = onggi::web::Server::listen(at->address, at->port, staff);
+  const auto server = listen_at(*listening, staff);
   if (!server) return tl::unexpected(server.error());
   const onggi::files::Descriptor serving = console::Door::serve(state);
   // The port may be any free one.
-  const std::uint16_t port = (*server)->port();
-  auto door = console::Door::make("onggi_staff_" + std::to_string(port), state, clock());
+  if (!proxied) *at = console::served_here(listening->address, (*server)->port());
+  auto door = console::Door::make(at->cookie, state, clock());
   if (!door) return tl::unexpected(door.error());
-  const auto hosts = hosts_of(at->address, port);
   std::cout << "The staff's page of " << file.string() << '\n'
-            << "  http://" << hosts.front() << "/?code=" << door->code() << '\n'
+            << "  " << at->pages.front() << "/?code=" << door->code() << '\n'
             << "Open this address in a browser within an hour. It opens once; who has a name "
                "signs in without its code.\nCtrl+C ends the page; the kiosk goes on."
             << std::endl;
-  staff.open(std::move(*door), hosts);
+  staff.open(std::move(*door), at->hosts, at->https ? "https://" : "http://");
   (*server)->run([&staff] {
     staff.look_after();
     return false;

@@ -41,7 +41,7 @@ std::string cookie_of(std::string_view cookies, std::string_view name) {
 }
 
 std::string Door::set_cookie(const std::string& token, std::int64_t seconds) const {
-  return cookie_ + '=' + token +
+  return cookie_ + '=' + token + (cookie_.starts_with("__Host-") ? "; Secure" : "") +
          "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds);
 }
 

@@ -32,8 +32,8 @@ class Door {
   static constexpr std::int64_t kCodeLasts = 3600;                      ///< s
 
   /// `cookie`: its cookie's name. Browsers keep cookies by host, whatever its port, so two programs
-  /// on one machine need two names. `state`: the program's state folder. Problem, exit 1: no
-  /// randomness.
+  /// on one machine need two names. One that begins with "__Host-" is for HTTPS alone. `state`: the
+  /// program's state folder. Problem, exit 1: no randomness.
   static Result<Door> make(std::string cookie, std::filesystem::path state, std::int64_t now);
 
   /// The code that opens it now, until it was used or kCodeLasts are over.

@@ -69,7 +69,7 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
   if (!reads && ask.method != "POST")
     return refused(405, "This cannot be done here.", "Use the page.");
   // Another site can send a form here, but neither of these.
-  if (!reads && ask.origin != "http://" + ask.host && ask.origin != "https://" + ask.host)
+  if (!reads && ask.origin != scheme_ + ask.host)
     return refused(403, "This came from another page.", "Use the page itself.");
   if (!reads && !ask.type.starts_with("application/json"))
     return refused(415, "Changes are sent as JSON.", "Use the page itself.");

@@ -78,10 +78,12 @@ class StaffAnswers final : public web::Answering {
   StaffAnswers(const StaffAnswers&) = delete;
   StaffAnswers& operator=(const StaffAnswers&) = delete;
   /// `hosts`: the Host fields that are accepted, "127.0.0.1:8090"; the first is the page's address.
-  void open(Door door, std::vector<std::string> hosts) {
+  /// `scheme`: how browsers reach them, "http://" or "https://".
+  void open(Door door, std::vector<std::string> hosts, std::string scheme = "http://") {
     door_ = std::move(door);
     hosts_ = std::move(hosts);
-    address_ = "http://" + hosts_.front();
+    scheme_ = std::move(scheme);
+    address_ = scheme_ + hosts_.front();
     tell_kiosk();
   }
 
@@ -119,7 +121,7 @@ class StaffAnswers final : public web::Answering {
   std::optional<Door> door_;
   std::vector<std::string> hosts_;
   souvenir::StaffNotice notice_;
-  std::string address_, used_way_in_;
+  std::string scheme_, address_, used_way_in_;
   Figures figures_;
   Patience patience_;
 };

@@ -8,6 +8,8 @@
 
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/program/setup/accounts.h"
+#include "kiosk/program/setup/staff_web.h"
 
 namespace fs = std::filesystem;
 
@@ -16,8 +18,9 @@ namespace onggi::setup {
 namespace {
 
 constexpr std::size_t kMostOfChanges = 1u << 20;
-constexpr std::array<const char*, 6> kKinds = {"folder", "tree",   "link",
-                                               "unlink", "enable", "disable"};
+constexpr std::array<const char*, 11> kKinds = {"folder", "tree",    "link",       "unlink",
+                                                "enable", "disable", "share",      "file",
+                                                "mask",   "package", "certificate"};
 constexpr const char* kDesktop = "/etc/systemd/system/display-manager.service";
 
 std::string line_of(const Step& step) {
@@ -58,6 +61,47 @@ Result<void> may_change(const System& system) {
                  "Run: sudo onggi setup", 1);
 }
 
+Step keepsake_rights() {
+  return {Step::Kind::share, fs::path(kSite) / "keepsakes", kKeepsakesGroup,
+          "the pages for phones and for staff may delete there"};
+}
+
+/// Whoever serves the staff's page may change the exhibit; the kiosk may not.
+std::vector<Step> site_rights() {
+  std::vector<Step> steps;
+  for (const char* folder : {"config", "content", "revisions"})
+    steps.push_back({Step::Kind::share, fs::path(kSite) / folder, kSiteGroup,
+                     "the staff's page may change it"});
+  return steps;
+}
+
+Result<SetupReport> make(const std::vector<Step>& steps, const SetupOptions& options) {
+  SetupReport report;
+  std::vector<Step> changed = remembered(options.system);
+  for (const Step& step : steps) {
+    const bool given = std::any_of(changed.begin(), changed.end(), [&](const Step& before) {
+      return before.kind == Step::Kind::tree && step.kind == before.kind && step.to == before.to;
+    });
+    if (given) {
+      report.stayed.push_back(step.to.string() + ": unchanged, because it is the museum's own");
+      continue;
+    }
+    const auto change = apply(step, options.system, options.dry);
+    if (!change) return tl::unexpected(change.error());
+    (change->changed ? report.changed : report.stayed).push_back(change->told);
+    // A tree that was already there now belongs to the museum too.
+    if (options.dry || !(change->changed || step.kind == Step::Kind::tree)) continue;
+    // A change that was made again, as a certificate is, is undone once.
+    if (std::ranges::any_of(changed, [&step](const Step& before) {
+          return before.kind == step.kind && before.to == step.to;
+        }))
+      continue;
+    changed.push_back(step);
+    if (auto good = remember(changed, options.system); !good) return tl::unexpected(good.error());
+  }
+  return report;
+}
+
 }  // namespace
 
 Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
@@ -73,6 +117,7 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
       {Kind::tree, site / "content/missions.toml", content / "missions.toml",
        "what else visitors may be asked to do"},
       {Kind::folder, site / "keepsakes", {}, "what visitors made"},
+      keepsake_rights(),
       {Kind::link, "/etc/X11/xorg.conf.d/90-onggi.conf", files / "90-onggi.conf",
        "the screen stays on, and no keys leave it"},
       {Kind::link, "/etc/systemd/journald.conf.d/onggi.conf", files / "journald.conf",
@@ -93,8 +138,18 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options) {
   }
   steps.push_back({Kind::enable, "onggi-display.service", {}, "the screen"});
   steps.push_back({Kind::enable, "onggi.service", {}, "the kiosk"});
-  if (options.console)
-    steps.push_back({Kind::enable, "onggi-console.service", {}, "the staff's page"});
+  if (options.console.empty()) return steps;
+  for (Step& step : site_rights()) steps.push_back(std::move(step));
+  const auto at = staff_address(options.console, options.addresses, options.system);
+  if (!at) return tl::unexpected(at.error());
+  if (at->is_loop() && !staff_pages(options.system).empty())
+    return problem("--console " + options.console, "The page is served by HTTPS already.",
+                   "Run: sudo onggi setup --undo, and then this again.");
+  if (!at->is_loop())
+    for (Step& step : staff_web_steps(*at, options.system)) steps.push_back(std::move(step));
+  steps.push_back({Kind::enable, "onggi-console.service", {}, "the staff's page"});
+  if (!at->is_loop())
+    steps.push_back({Kind::enable, "onggi-staff-web.service", {}, "the staff's page, by HTTPS"});
   return steps;
 }
 
@@ -103,25 +158,23 @@ Result<SetupReport> set_up(const SetupOptions& options) {
     if (auto may = may_change(options.system); !may) return tl::unexpected(may.error());
   const auto steps = kiosk_steps(options);
   if (!steps) return tl::unexpected(steps.error());
-  SetupReport report;
-  std::vector<Step> changed = remembered(options.system);
-  for (const Step& step : *steps) {
-    const bool given = std::any_of(changed.begin(), changed.end(), [&](const Step& before) {
-      return before.kind == Step::Kind::tree && step.kind == before.kind && step.to == before.to;
-    });
-    if (given) {
-      report.stayed.push_back(step.to.string() + ": unchanged, because it is the museum's own");
-      continue;
-    }
-    const auto change = apply(step, options.system, options.dry);
-    if (!change) return tl::unexpected(change.error());
-    (change->changed ? report.changed : report.stayed).push_back(change->told);
-    // A tree that was already there now belongs to the museum too.
-    if (options.dry || !(change->changed || step.kind == Step::Kind::tree)) continue;
-    changed.push_back(step);
-    if (auto good = remember(changed, options.system); !good) return tl::unexpected(good.error());
-  }
-  return report;
+  return make(*steps, options);
+}
+
+Result<SetupReport> renew_rights(const SetupOptions& options) {
+  if (auto may = may_change(options.system); !may) return tl::unexpected(may.error());
+  const std::vector<Step> before = remembered(options.system);
+  const auto was_made = [&before](Step::Kind kind, const fs::path& to) {
+    return std::ranges::any_of(
+        before, [&](const Step& step) { return step.kind == kind && step.to == to; });
+  };
+  std::vector<Step> steps;
+  std::error_code ignored;
+  if (fs::is_directory(options.system.at(keepsake_rights().to), ignored))
+    steps.push_back(keepsake_rights());
+  if (was_made(Step::Kind::enable, "onggi-console.service"))
+    for (Step& step : site_rights()) steps.push_back(std::move(step));
+  return make(steps, options);
 }
 
 Result<SetupReport> undo_setup(const System& system, bool dry) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/program/setup/addresses.h"
 #include "kiosk/program/setup/step.h"
 
 namespace onggi::setup {
@@ -22,7 +23,10 @@ struct SetupOptions {
   System system{};
   std::filesystem::path data = "/usr/share/onggi";  ///< On the system: config/, content/, system/.
   bool dry = false;                                 ///< Report the changes without making them.
-  bool console = false;                             ///< Start the staff's page with the machine.
+  /// Where staff reach their page, which then starts with the machine (staff_address()); kChoose:
+  /// the only address. Empty: no page.
+  std::string console{};
+  std::vector<MachineAddress> addresses{};  ///< Of the machine.
   bool replace_desktop = false;  ///< Stop a display manager from starting with the machine.
 };
 
@@ -42,6 +46,10 @@ Result<std::vector<Step>> kiosk_steps(const SetupOptions& options);
 /// anything twice: a vessel that was taken off the shelf stays off. Problem (exit 1) without
 /// root's rights, and those of apply(). Blocks; any thread.
 Result<SetupReport> set_up(const SetupOptions& options);
+
+/// Gives the users of the programs what they need of the folders that an earlier setup made, when
+/// no such users were, and takes nothing away. The package calls it after an upgrade.
+Result<SetupReport> renew_rights(const SetupOptions& options);
 
 /// Undoes the changes that set_up() recorded, last first, and clears the record; `dry` only
 /// reports. Problem (exit 2) if nothing is recorded.

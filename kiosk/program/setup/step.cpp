@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <csignal>
-#include <fstream>
-#include <optional>
-#include <sstream>
 
-#include "kiosk/ground/files/child_process.h"
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/read_file.h"
+#include "kiosk/program/setup/accounts.h"
+#include "kiosk/program/setup/programs.h"
+#include "kiosk/program/setup/rights.h"
+#include "kiosk/program/setup/staff_parts.h"
 
 namespace fs = std::filesystem;
 
@@ -22,39 +20,6 @@ namespace onggi::setup {
 namespace {
 
 constexpr std::size_t kMostOfAFile = std::size_t{1} << 30;
-// Systemctl waits for the units that it starts
-constexpr auto kPatience = std::chrono::seconds(60);
-
-struct Owner {
-  uid_t user;
-  gid_t group;
-};
-
-std::optional<unsigned> number_in(const std::string& text) {
-  unsigned number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || at != end) return {};
-  return number;
-}
-
-/// The ids of the user onggi, from the target system's list, which may not be this machine's. A
-/// line without numbers is ignored.
-std::optional<Owner> kiosk_user(const System& system) {
-  std::ifstream users(system.at("/etc/passwd"));
-  for (std::string line; std::getline(users, line);) {
-    std::istringstream fields(line);
-    std::string name, password, user, group;
-    std::getline(fields, name, ':');
-    std::getline(fields, password, ':');
-    std::getline(fields, user, ':');
-    std::getline(fields, group, ':');
-    if (name != "onggi") continue;
-    const auto user_number = number_in(user), group_number = number_in(group);
-    if (user_number && group_number) return Owner{*user_number, *group_number};
-  }
-  return {};
-}
 
 Result<files::Bytes> bytes_of(const fs::path& file) {
   auto bytes = files::read_file(file, kMostOfAFile);
@@ -72,10 +37,8 @@ Result<void> put_copy(const fs::path& from, const fs::path& to) {
 
 Result<Change> make_folder(const Step& step, const System& system, bool dry) {
   const fs::path folder = system.at(step.to);
-  const auto owner = kiosk_user(system);
-  if (!owner)
-    return problem(system.at("/etc/passwd").string(), "There is no user onggi.",
-                   "Install the package onggi, which creates it.", 1);
+  const auto owner = user_of(system, kKioskUser);
+  if (!owner) return tl::unexpected(owner.error());
   struct stat now {};
   const bool there = ::stat(folder.c_str(), &now) == 0 && S_ISDIR(now.st_mode);
   const bool theirs = there && now.st_uid == owner->user;
@@ -166,20 +129,6 @@ Result<Change> take_link_away(const Step& step, const System& system, bool dry) 
   return Change{there, step.to.string() + ": " + step.why};
 }
 
-Result<int> systemctl(const System& system, std::vector<std::string> arguments) {
-  if (system.root != "/") arguments.insert(arguments.begin(), "--root=" + system.root.string());
-  auto child = files::ChildProcess::start("systemctl", arguments, {});
-  if (!child)
-    return problem("systemctl", "It cannot be started.",
-                   "Onggi is set up on systems with systemd, such as Debian 13.", 1);
-  if (!child->wait_until(files::ChildProcess::Clock::now() + kPatience)) {
-    child->end(SIGKILL);
-    return problem("systemctl", "It did not end within a minute.",
-                   "Look at: journalctl -b -u onggi -u onggi-display", 1);
-  }
-  return child->status();
-}
-
 Result<bool> enabled(const Step& step, const System& system) {
   const auto status = systemctl(system, {"--quiet", "is-enabled", step.to.string()});
   if (!status) return tl::unexpected(status.error());
@@ -255,6 +204,16 @@ Result<Change> apply(const Step& step, const System& system, bool dry) {
       return enable(step, system, true, Now::no, dry);
     case Step::Kind::disable:
       return enable(step, system, false, Now::no, dry);
+    case Step::Kind::share:
+      return share(step, system, dry);
+    case Step::Kind::file:
+      return put_file(step, system, dry);
+    case Step::Kind::mask:
+      return mask(step, system, dry);
+    case Step::Kind::package:
+      return install(step, system, dry);
+    case Step::Kind::certificate:
+      return make_certificate(step, system, dry);
   }
   return Change{};
 }
@@ -272,6 +231,16 @@ Result<Change> take_back(const Step& step, const System& system, bool dry) {
       return take_unit_back(step, system, false, dry);
     case Step::Kind::disable:
       return take_unit_back(step, system, true, dry);
+    case Step::Kind::share:
+      return unshare(step, system, dry);
+    case Step::Kind::file:
+    case Step::Kind::certificate:
+      return remove_made(step, system, dry);
+    case Step::Kind::mask:
+      return unmask(step, system, dry);
+    case Step::Kind::package:
+      return Change{false, step.from.string() + ": stays installed. To remove it: sudo apt purge " +
+                               step.from.string()};
   }
   return Change{};
 }

@@ -27,14 +27,23 @@ struct Step {
     link,    ///< Makes `to` a symbolic link to `from`; anything else there stays.
     unlink,  ///< Removes the symbolic link `to` to `from`.
     enable,  ///< Starts the unit `to` with the machine.
-    disable,  ///< Stops starting the unit `to` with the machine.
+    disable,      ///< Stops starting the unit `to` with the machine.
+    share,        ///< The group `from` may write in the folder `to` (rights.h).
+    file,         ///< Writes `text` to `to`; a file there that setup did not write stays.
+    mask,         ///< The unit file `to` can never start.
+    package,      ///< The program `to` is there; else the Debian package `from` is installed.
+    certificate,  ///< Makes the certificate `to` with the key `from` for the names in `text`.
   };
   Kind kind = Kind::folder;
   std::filesystem::path to;      ///< A path of the system; a unit's name.
   std::filesystem::path from{};  ///< For tree, link and unlink: a path of the system.
   std::string why{};             ///< "the exhibit, yours to change"
   bool needs_folder = false;     ///< For link: skipped if the folder of `to` is missing.
+  std::string text{};  ///< For file: its content. For certificate: "IP:1.2.3.4,DNS:kiosk".
 };
+
+/// The first line of each file that setup writes. Without it, the file is the museum's own.
+inline constexpr const char* kMadeLine = "# Made by onggi setup";
 
 /// The result of a step.
 struct Change {

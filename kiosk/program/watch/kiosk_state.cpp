@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -138,6 +139,13 @@ SeenKiosk look_at_kiosk(const std::filesystem::path& keepsakes) {
     const ssize_t n = ::pread(file.get(), text.data(), text.size(), 0);
     if (n > 0) seen.state = state_of(std::string_view(text).substr(0, static_cast<std::size_t>(n)));
   }
+  // Other programs may write in this folder, and phones reach one of them: only the kiosk, whose
+  // folder it is, says who may come in.
+  struct stat own {
+  }, folder{};
+  const bool kiosks = ::fstat(file.get(), &own) == 0 && ::stat(keepsakes.c_str(), &folder) == 0 &&
+                      own.st_uid == folder.st_uid;
+  if (seen.state && !kiosks) seen.state->way_in.clear();
   return seen;
 }
 

@@ -48,7 +48,8 @@ struct SeenKiosk {
   bool runs = false;                ///< Its process is there: it holds the file's lock.
 };
 
-/// Looks at the kiosk that keeps its keepsakes in `keepsakes`. Reads one small file.
+/// Looks at the kiosk that keeps its keepsakes in `keepsakes`. Reads one small file. Its way in
+/// counts only where the file is of the folder's owner.
 SeenKiosk look_at_kiosk(const std::filesystem::path& keepsakes);
 
 }  // namespace onggi::watch

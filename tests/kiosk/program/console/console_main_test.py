@@ -8,7 +8,7 @@ import subprocess
 import sys
 import unittest
 
-OPTIONS = ("--site", "--state", "--keepsakes", "--listen", "--languages", "--pass", "--hours", "--stl", "--to")
+OPTIONS = ("--site", "--address", "--state", "--keepsakes", "--listen", "--languages", "--pass", "--hours", "--stl", "--to")
 
 
 class CommandLine(unittest.TestCase):
@@ -41,6 +41,16 @@ class CommandLine(unittest.TestCase):
         self.assertIn("There is no exhibit here", self.said("--site", "/nowhere"))
         for address in ("0.0.0.0:8090", "[::]:8090", "192.168.4.1:8090"):
             self.assertIn("The staff's page is for this machine alone", self.said("--site", "x", "--listen", address))
+
+    def test_behind_a_proxy_it_needs_a_socket_and_the_proxys_addresses(self):
+        page = "https://192.168.1.20"
+        self.assertIn("--address is missing", self.said("--site", "x", "--listen", "unix:/tmp/page.sock"))
+        self.assertIn("asks by a Unix socket", self.said("--site", "x", "--address", page))
+        self.assertIn("asks by a Unix socket", self.said("--site", "x", "--listen", "127.0.0.1:8090", "--address", page))
+        for wrong in ("http://192.168.1.20", "https://", "192.168.1.20"):
+            self.assertIn(f"--address {wrong}: This is not", self.said("--site", "x", "--listen", "unix:/tmp/page.sock",
+                                                                     "--address", page, "--address", wrong))
+        self.assertIn("--address: It has no effect", self.said("--phone-only", "--keepsakes", "x", "--address", page))
 
 
 if __name__ == "__main__":

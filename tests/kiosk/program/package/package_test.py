@@ -23,7 +23,7 @@ def output(*command, **kept):
 
 class Services(unittest.TestCase):
     def test_each_is_exposed_less_than_3_by_systemds_own_reckoning(self):
-        self.assertEqual(len(UNITS), 4)
+        self.assertEqual(len(UNITS), 5)
         for unit in UNITS:
             told = output("systemd-analyze", "security", "--offline=yes", unit).stdout
             exposed = re.search(r"exposure level for \S+: ([0-9.]+)", told)
@@ -48,6 +48,23 @@ class Services(unittest.TestCase):
                          for name in ("onggi.service", "onggi-display.service"))
         self.assertIn("\nBindsTo=onggi-display.service\n", kiosk)
         self.assertIn("\nUpholds=onggi.service\n", screen)
+
+    def test_each_program_that_a_network_reaches_is_a_user_of_its_own(self):
+        users = {}
+        for unit in UNITS:
+            text = unit.read_text()
+            groups = re.search(r"^SupplementaryGroups=(.*)", text, flags=re.M)
+            users[unit.stem] = (re.search(r"^User=(.*)", text, flags=re.M)[1], set(groups[1].split()) if groups else set())
+        self.assertEqual(users["onggi-phone"], ("onggi-phone", {"onggi-keepsakes"}))
+        self.assertEqual(users["onggi-console"], ("onggi-console", {"onggi", "onggi-keepsakes", "onggi-site"}))
+        self.assertEqual(users["onggi-staff-web"], ("onggi-staff-web", {"onggi-console"}))
+        self.assertEqual(users["onggi"], ("onggi", {"video", "render", "onggi-keepsakes"}))
+        made = (PACKAGE / "system/sysusers.conf").read_text()
+        for user, groups in users.values():
+            self.assertRegex(made, rf"(?m)^u {user} - ")
+            for group in groups:
+                if group.startswith("onggi"):
+                    self.assertRegex(made, rf"(?m)^[ug] {group} -")
 
     def test_the_kiosk_may_write_nowhere_but_where_keepsakes_go(self):
         text = (PACKAGE / "system/onggi.service").read_text()
