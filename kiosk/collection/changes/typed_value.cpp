@@ -113,10 +113,10 @@ Result<TypedKey> typed_key(const std::string& text, const toml::TomlPlaces& plac
       ids.push_back(id_of(text, places, element));
     }
     std::size_t chosen = elements;
-    if (const auto number = number_in(part); number && *number >= 1 && *number <= elements)
-      chosen = *number - 1;
-    else if (const auto found = std::ranges::find(ids, part); found != ids.end())
+    if (const auto found = std::ranges::find(ids, part); found != ids.end())
       chosen = static_cast<std::size_t>(found - ids.begin());
+    else if (const auto number = number_in(part); number && *number >= 1 && *number <= elements)
+      chosen = *number - 1;
     if (chosen == elements) {
       std::erase(ids, "");
       const std::string near = nearest_name(part, ids);

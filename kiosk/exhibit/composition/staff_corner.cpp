@@ -56,7 +56,7 @@ void StaffCorner::show(double now) {
   held_.reset();
   const auto code = souvenir::Passes::new_token();
   if (!code) return files::log_problem(code.error());
-  way_in_ = WayIn{secrets::digest_of(*code), wall_() + kCodeLasts};
+  way_in_ = WayIn{secrets::digest_of(*code), wall_() + souvenir::kWayInLasts};
   shown_ = address_ + "/?code=" + *code;
   shown_since_ = now;
   lifted_ = false;

@@ -26,9 +26,8 @@ struct WayIn {
 /// the rest of the screen. Main thread.
 class StaffCorner {
  public:
-  static constexpr double kHold = 5.0;              ///< s
-  static constexpr double kShown = 120.0;           ///< s, or until the next touch.
-  static constexpr std::int64_t kCodeLasts = 3600;  ///< s
+  static constexpr double kHold = 5.0;     ///< s
+  static constexpr double kShown = 120.0;  ///< s, or until the next touch.
 
   /// `keepsakes`: their folder. `wall`: the clock on the wall, s since 1970.
   StaffCorner(std::filesystem::path keepsakes, std::function<std::int64_t()> wall)

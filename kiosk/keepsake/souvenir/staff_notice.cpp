@@ -16,7 +16,8 @@ constexpr std::size_t kMostOfAnAddress = 300;
 }  // namespace
 
 bool StaffNotice::put_up(const std::string& address) {
-  if (held_.open()) return true;
+  std::error_code gone;
+  if (held_.open() && std::filesystem::exists(file_, gone)) return true;  // nobody deleted it
   files::Descriptor file(
       ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644));
   if (!file.open() || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return false;

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "kiosk/ground/files/descriptor.h"
 
 namespace onggi::souvenir {
+
+/// s that a way in which the kiosk shows is good.
+inline constexpr std::int64_t kWayInLasts = 3600;
 
 /// What the program with the staff's page tells the kiosk, by the file `.staff` among the
 /// keepsakes: that nobody has a name yet, and where the page is. The file is locked while that is

@@ -17,6 +17,7 @@
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/paths.h"
+#include "kiosk/ground/files/shared_folder.h"
 #include "kiosk/program/commands/commands.h"
 #include "kiosk/program/commands/up_option.h"
 
@@ -142,6 +143,7 @@ Result<int> import_vessel(const ImportArguments& arguments) {
   if (auto good = files::write_durably(folder / "vessel.toml", std::as_bytes(std::span(toml)));
       !good)
     return tl::unexpected(good.error());
+  files::share_as_above(folder);
   tell(folder, glb->size(), place->languages);
   for (const std::string& warning : vessel->extracted.warnings)
     std::cout << "  note: " << terminal::plain(warning) << '\n';

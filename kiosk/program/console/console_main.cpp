@@ -324,6 +324,7 @@ onggi::Result<int> serve_staff(const Arguments& a) {
     staff.look_after();
     return false;
   });
+  staff.end();
   return 0;
 }
 

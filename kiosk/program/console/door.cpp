@@ -25,6 +25,7 @@ constexpr std::ptrdiff_t kMostOfOne = 8;
 constexpr std::size_t kMostOfACode = 1024;  // bytes of its file
 
 fs::path code_file(const fs::path& state) { return state / "code"; }
+fs::path used_file(const fs::path& state) { return state / "used"; }
 
 }  // namespace
 
@@ -86,6 +87,12 @@ bool Door::take_given(const std::string& code, std::int64_t now) const {
     return false;
   std::error_code error;
   return fs::remove(code_file(state_), error);  // good once, or not at all
+}
+
+bool Door::use_once(const std::string& digest) const {
+  const auto known = files::read_file(used_file(state_), kMostOfACode);
+  if (known && std::string(known->begin(), known->end()) == digest) return false;
+  return files::write_durably(used_file(state_), std::as_bytes(std::span(digest))).has_value();
 }
 
 std::string Door::enter(const std::string& code, std::int64_t now) {

@@ -46,6 +46,9 @@ class Door {
   /// on the disk. It replaces the one given before. Problem, exit 1: the disk.
   static Result<std::string> give_code(const std::filesystem::path& state, std::int64_t now);
 
+  /// True the first time for `digest`, also after the program was started anew; false where that
+  /// cannot be kept. Only the last one is known.
+  bool use_once(const std::string& digest) const;
   /// Takes a code: the Set-Cookie of the new session; empty if it is none.
   std::string enter(const std::string& code, std::int64_t now);
   /// Begins a session of `who`, whose passphrase was right: its Set-Cookie; empty: no randomness.

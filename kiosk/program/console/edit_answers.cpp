@@ -39,12 +39,6 @@ Json json_of(const std::vector<ChangeFault>& faults) {
   return Json::object({{"faults", list}});
 }
 
-/// The member `changes` of `body`, as JSON.
-std::string changes_of(const std::string& body) {
-  const auto object = nlohmann::json::parse(body, nullptr, false);
-  return object.is_object() && object.contains("changes") ? object["changes"].dump() : "";
-}
-
 std::vector<std::string> language_codes(const fs::path& folder) {
   std::vector<std::string> codes;
   std::error_code gone;
@@ -93,7 +87,7 @@ web::Answer EditAnswers::file(const web::Ask& ask, const std::string& name) {
 web::Answer EditAnswers::check(const std::string& name, const std::string& body) {
   const auto edited = EditedFile::find(site_, name);
   if (!edited) return no_such_file();
-  const auto wanted = edited->changes_in(changes_of(body));
+  const auto wanted = edited->changes_in(body);
   if (!wanted) return wrong_form();
   const auto text = edited->text();
   if (!text) return refused(409, text.error());
@@ -107,7 +101,7 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
                               std::int64_t now) {
   const auto edited = EditedFile::find(site_, name);
   if (!edited) return no_such_file();
-  const auto wanted = edited->changes_in(changes_of(ask.body));
+  const auto wanted = edited->changes_in(ask.body);
   const std::string tag = Words(ask.body)["tag"];
   if (!wanted || wanted->empty() || tag.empty()) return wrong_form();
   const auto text = edited->text();
@@ -176,8 +170,9 @@ std::optional<ChangeLog::Change> EditAnswers::ended() {
 
 web::Answer EditAnswers::saved(const web::Ask& ask) {
   const int number = std::atoi(query(ask, "number").c_str());
-  const bool under_way = number == number_ && saver_.under_way();
   const auto said = said_.find(number);
+  // It may have ended since ended() was asked: the next question tells.
+  const bool under_way = number > 0 && number == number_ && said == said_.end();
   if (!under_way && said == said_.end())
     return refused(404, "This change is not known any more.", "Load this page again.");
   return {.status = 200,

@@ -41,6 +41,7 @@ std::optional<std::string> written(const nlohmann::json& value, const fields::Fi
   if (!value.is_array()) return std::nullopt;
   std::string list;
   for (const nlohmann::json& one : value) {
+    if (one.is_array()) return std::nullopt;  // no file has lists in lists
     const auto element = written(one, nullptr);
     if (!element) return std::nullopt;
     list += (list.empty() ? "" : ", ") + *element;
@@ -132,8 +133,10 @@ Result<std::string> EditedFile::text() const {
   return text;
 }
 
-std::optional<std::vector<changes::Change>> EditedFile::changes_in(const std::string& text) const {
-  const nlohmann::json list = nlohmann::json::parse(text, nullptr, false);
+std::optional<std::vector<changes::Change>> EditedFile::changes_in(const std::string& body) const {
+  const nlohmann::json object = nlohmann::json::parse(body, nullptr, false);
+  if (!object.is_object() || !object.contains("changes")) return std::nullopt;
+  const nlohmann::json& list = object["changes"];
   if (!list.is_array() || list.size() > kMostChanges) return std::nullopt;
   std::vector<changes::Change> out;
   for (const nlohmann::json& one : list) {

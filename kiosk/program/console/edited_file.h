@@ -30,9 +30,9 @@ class EditedFile {
   const fields::FieldList& fields() const { return list_; }
   /// Its text. Problem where it cannot be read, or is no TOML.
   Result<std::string> text() const;
-  /// The changes that `json`, a list of [key, value], asks for; null takes a key out. None where it
-  /// has another form.
-  std::optional<std::vector<changes::Change>> changes_in(const std::string& json) const;
+  /// The changes that `body` asks for, {"changes": [[key, value], ...]}; null takes a key out. None
+  /// where it has another form.
+  std::optional<std::vector<changes::Change>> changes_in(const std::string& body) const;
   /// `text` with `wanted`; what cannot be made is left out, and told in `faults`.
   changes::Draft draft_of(const std::string& text, const std::vector<changes::Change>& wanted,
                           std::vector<ChangeFault>& faults) const;

@@ -7,8 +7,6 @@ namespace onggi::console {
 
 using files::Json;
 
-namespace {
-
 std::string decoded(std::string_view text) {
   const auto digit = [](char c) {
     return c >= '0' && c <= '9'   ? c - '0'
@@ -29,8 +27,6 @@ std::string decoded(std::string_view text) {
   }
   return out;
 }
-
-}  // namespace
 
 web::Answer json(const web::Ask& ask, const std::string& text) {
   const std::string tag = '"' + std::to_string(std::hash<std::string>{}(text)) + '"';

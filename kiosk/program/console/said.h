@@ -40,6 +40,9 @@ class Words {
 /// The value of `name` in the query of `ask`, as it was typed: '+' and %20 are blanks.
 std::string query(const web::Ask& ask, std::string_view name);
 
+/// What stands for `text` in an address, as it was typed: '+' and %20 are blanks.
+std::string decoded(std::string_view text);
+
 /// The parts of a path: "keepsake", VISIT and FILE of "/keepsake/VISIT/FILE".
 std::vector<std::string> parts_of(std::string_view path);
 

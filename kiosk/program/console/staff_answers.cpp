@@ -1,9 +1,11 @@
 #include "kiosk/program/console/staff_answers.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "kiosk/ground/files/json.h"
@@ -104,11 +106,10 @@ bool StaffAnswers::shown_on_screen(const std::string& code) {
   if (!kiosk.runs || !kiosk.state) return false;
   const std::string& shown = kiosk.state->way_in;
   const std::int64_t left = kiosk.state->way_in_until - parts_.clock();
-  if (left <= 0 || left > Door::kCodeLasts || shown.empty() || shown == used_way_in_ ||
+  if (left <= 0 || left > souvenir::kWayInLasts || shown.empty() ||
       !secrets::same_secret(shown, secrets::digest_of(code)))
     return false;
-  used_way_in_ = shown;
-  return true;
+  return door_->use_once(shown);
 }
 
 /// Tells the kiosk whether it may show a way in.
@@ -165,7 +166,7 @@ web::Answer StaffAnswers::get(const web::Ask& ask, const Session& session) {
   if (path == "/api/keepsakes") return desk_.keepsakes(ask);
   const auto parts = parts_of(path);
   if (parts.size() == 3 && parts[0] == "keepsake") return desk_.picture(ask, parts[1], parts[2]);
-  if (parts.size() == 2 && parts[0] == "outline") return edit_.outline(ask, parts[1]);
+  if (parts.size() == 2 && parts[0] == "outline") return edit_.outline(ask, decoded(parts[1]));
   if (parts.size() == 2 && parts[0] == "print") return desk_.print_page(parts[1]);
   if (path == "/api/people" || path == "/api/changes" || is_of_files(path)) {
     if (session.role != Role::editor) return not_an_editor();
@@ -278,15 +279,17 @@ web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path)
   if (path == "/api/shelf") return edit_.shelf(ask);
   if (path == "/api/revisions") return edit_.revisions(ask);
   if (path == "/api/saved") return edit_.saved(ask);
-  return path.starts_with(kEdit) ? edit_.file(ask, path.substr(std::string_view(kEdit).size()))
-                                 : refused(404, "There is no such thing.", "Load this page again.");
+  return path.starts_with(kEdit)
+             ? edit_.file(ask, decoded(path.substr(std::string_view(kEdit).size())))
+             : refused(404, "There is no such thing.", "Load this page again.");
 }
 
 web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session) {
   if (ask.target == "/api/undo") return edit_.undo(ask, session.who, parts_.clock());
   const std::size_t last = ask.target.rfind('/'), first = std::string_view(kEdit).size();
   if (last <= first) return refused(404, "This cannot be done here.", "Use the page.");
-  const std::string name = ask.target.substr(first, last - first), act = ask.target.substr(last);
+  const std::string name = decoded(ask.target.substr(first, last - first)),
+                    act = ask.target.substr(last);
   if (act == "/check") return edit_.check(name, ask.body);
   if (act == "/save") return edit_.save(ask, name, session.who, parts_.clock());
   return refused(404, "This cannot be done here.", "Use the page.");
@@ -295,6 +298,13 @@ web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session)
 void StaffAnswers::note_ended() {
   if (const auto change = edit_.ended())
     if (auto added = parts_.changes.add(*change); !added) parts_.tell(added.error());
+}
+
+void StaffAnswers::end() {
+  constexpr int kTurns = 200;  // 20 s: long enough for most exhibits
+  for (int n = 0; n < kTurns && edit_.under_way(); ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  note_ended();
 }
 
 void StaffAnswers::look_after() {

@@ -94,6 +94,8 @@ class StaffAnswers final : public web::Answering {
   const Door& door() const { return *door_; }
   /// Call it once a minute: forgets changes that are too old.
   void look_after();
+  /// Call it last: waits some seconds for a change under way, so that it is noted who made it.
+  void end();
 
  private:
   bool shown_on_screen(const std::string& code);
@@ -121,7 +123,7 @@ class StaffAnswers final : public web::Answering {
   std::optional<Door> door_;
   std::vector<std::string> hosts_;
   souvenir::StaffNotice notice_;
-  std::string scheme_, address_, used_way_in_;
+  std::string scheme_, address_;
   Figures figures_;
   Patience patience_;
 };

@@ -115,6 +115,9 @@ Result<StaffAddress> staff_address(const std::string& written,
   if (address == "0.0.0.0" || address == "::")
     return problem("--console " + written,
                    "This is every address of the machine, the one for visitors' phones too.", kHow);
+  if (at.is_loop() && address != written)
+    return problem("--console " + written, "On this machine alone the page has port 8090.",
+                   "Write --console 127.0.0.1.");
   const auto card = std::ranges::find(all, address, &MachineAddress::address);
   if (is_access_point(card == all.end() ? MachineAddress{"", address} : *card, system))
     return problem("--console " + written,

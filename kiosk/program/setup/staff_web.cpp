@@ -66,6 +66,10 @@ std::string console_text(const std::vector<std::string>& pages) {
 
 }  // namespace
 
+bool has_own_certificate(const System& system) {
+  return there(system, kOwnCertificate) && there(system, kOwnKey);
+}
+
 std::vector<Step> staff_web_steps(const StaffAddress& at, const System& system) {
   using Kind = Step::Kind;
   std::vector<std::string> pages{at.page()}, names;
@@ -83,7 +87,7 @@ std::vector<Step> staff_web_steps(const StaffAddress& at, const System& system) 
     steps.push_back({Kind::mask, kNginxUnit, {}, "Debian's own page never starts at port 80"});
   steps.push_back({Kind::package, kNginx, "nginx", "serves the staff's page by HTTPS"});
   steps.push_back({Kind::package, "/usr/bin/openssl", "openssl", "makes its certificate"});
-  const bool own = there(system, kOwnCertificate) && there(system, kOwnKey);
+  const bool own = has_own_certificate(system);
   if (!own)
     steps.push_back({.kind = Kind::certificate,
                      .to = kMadeCertificate,

@@ -27,6 +27,9 @@ inline constexpr const char* kStaffSocket = "/run/onggi-console/page.sock";
 /// museum's own, it is left alone.
 std::vector<Step> staff_web_steps(const StaffAddress& at, const System& system);
 
+/// The museum put its own certificate and key there.
+bool has_own_certificate(const System& system);
+
 /// The pages' addresses that setup wrote, "https://192.168.1.20" first. Empty: none.
 std::vector<std::string> staff_pages(const System& system);
 

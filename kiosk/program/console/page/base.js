@@ -26,7 +26,7 @@ async function ask(address, post) {
     throw Object.assign(new Error("The program behind this page does not answer."),
       { remedy: "Start it: sudo systemctl start onggi-console. Elsewhere, start onggi-console again.", lost: true });
   }
-  const said = await answer.json();
+  const said = await answer.json().catch(() => ({ what: "The answer cannot be read (" + answer.status + ").", remedy: "Wait a moment, and try again." }));
   if (!answer.ok) throw Object.assign(new Error(placeOf(said) + said.what),
     { remedy: said.remedy, said, status: answer.status, lost: answer.status === 401, out: answer.status === 401 });
   return said;

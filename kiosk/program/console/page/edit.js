@@ -34,23 +34,29 @@ class Edited {
   get dirty() { return this.changes.size > 0; }
 
   async load() {
-    const file = await ask("/api/edit/" + this.name);
+    const file = await ask(this.address(""));
+    if (this.gone) return; // another file is shown by now
     this.file = file;
     this.fields = file.fields.fields;
     // What somebody else wrote meanwhile is shown beside what was typed here.
     for (const [key, wanted] of this.changes) {
       if (same(valueAt(file.values, key), wanted)) this.changes.delete(key);
     }
-    this.rows.clear();
-    this.draw();
-    this.show();
+    this.redraw();
   }
+  /** Shows it anew, with what is known of its faults. */
+  redraw() {
+    this.rows.clear();
+    this.draw(this);
+    this.found(this.faults);
+  }
+  address(act) { return "/api/edit/" + this.name.split("/").map(encodeURIComponent).join("/") + (act ? "/" + act : ""); }
   was(key) { return valueAt(this.file.values, key); }
   now(key) { return this.changes.has(key) ? this.changes.get(key) ?? undefined : this.was(key); }
 
   /** Somebody wants `value` at `key`; null takes the key out. */
   want(key, value) {
-    if (!this.dirty) this.place.replaceChildren(); // what was said of the last change
+    if (!this.dirty) this.say(""); // what was said of the last change
     if (same(value, this.was(key))) this.changes.delete(key);
     else {
       if (!this.changes.has(key)) this.seen.set(key, this.was(key));
@@ -69,7 +75,7 @@ class Edited {
   async check() {
     const turn = ++this.turn;
     try {
-      const { faults } = this.dirty ? await ask(`/api/edit/${this.name}/check`, { changes: this.list() }) : { faults: [] };
+      const { faults } = this.dirty ? await ask(this.address("check"), { changes: this.list() }) : { faults: [] };
       if (turn === this.turn) this.found(faults);
     } catch (error) {
       if (turn === this.turn) tell(this.place, error);
@@ -83,8 +89,23 @@ class Edited {
       made("p", {}, made("strong", {}, (key && !what.startsWith(key) ? key + ": " : "") + what), " " + remedy));
     if (elsewhere.length > 2) lines.push(made("p", {}, `And ${elsewhere.length - 2} more like these.`));
     if (here.length > 0) lines.unshift(this.wayTo(here[0].key, here.length === 1 ? "One field needs you" : `${here.length} fields need you`));
-    this.place.replaceChildren(...lines);
+    // What has no field in sight is chosen here.
+    for (const key of this.conflicts()) if (!this.rows.get(key)?.chooses) lines.push(this.choice(key));
+    // What has not changed is not written again: a screen reader would begin anew.
+    const now = lines.map((line) => line.textContent).join("\n");
+    if (now !== this.told) this.place.replaceChildren(...lines);
+    this.told = now;
     this.show();
+  }
+  conflicts() { return [...this.changes.keys()].filter((key) => this.conflict(key)); }
+  /** Both values of `key`, and which of them stays. */
+  choice(key, called = key) {
+    const take = made("button", { type: "button", className: "quiet" }, "Take theirs");
+    take.addEventListener("click", () => { this.drop(key); this.redraw(); this.check(); });
+    const keep = made("button", { type: "button", className: "quiet" }, "Keep mine");
+    keep.addEventListener("click", () => { this.seen.set(key, this.was(key)); this.found(this.faults); });
+    const mine = this.rows.get(key)?.chooses ? "" : `${called}: mine is ${inWords(this.changes.get(key))}. `;
+    return made("div", { className: "theirs" }, `${mine}Theirs: ${inWords(this.was(key))}`, take, keep);
   }
   /** A button that leads to the field of `key`. */
   wayTo(key, words) {
@@ -94,26 +115,28 @@ class Edited {
   }
   /** What somebody else wrote at `key` since this page's own change of it began; undefined: nothing. */
   conflict(key) {
-    return this.rows.get(key)?.chooses && this.changes.has(key) && !same(this.seen.get(key), this.was(key)) ? { theirs: this.was(key) } : undefined;
+    return this.changes.has(key) && !same(this.seen.get(key), this.was(key)) ? { theirs: this.was(key) } : undefined;
   }
 
   async save() {
-    const open = [...this.changes.keys()].find((key) => this.conflict(key));
-    if (open) return this.rows.get(open).show();
+    if (this.conflicts().length > 0) return;
+    const sent = new Map(this.changes);
+    this.stopChecking();
     try {
       this.busy = true;
       this.show();
-      clearTimeout(this.later);
-      const begun = await ask(`/api/edit/${this.name}/save`, { tag: this.file.tag, changes: this.list() });
+      const begun = await ask(this.address("save"), { tag: this.file.tag, changes: [...sent] });
       const said = await outcome(begun.number, this.place, "Looking at the whole exhibit, then saving…");
+      this.told = null;
       if (said.another_file) return await this.meanwhile();
       if (!said.done) return tell(this.place, refusal(said));
-      const count = said.changes.length;
-      this.changes.clear();
+      // What was typed meanwhile stays.
+      for (const [key, value] of sent) if (same(this.changes.get(key), value)) this.changes.delete(key);
       await this.load();
-      this.place.replaceChildren((count === 1 ? "Saved." : `Saved, ${count} values.`) +
+      this.say((said.changes.length === 1 ? "Saved." : `Saved, ${said.changes.length} values.`) +
         " The kiosk takes it up when no visitor is there. You can take it back at the end of Settings.");
     } catch (error) {
+      this.told = null;
       if (error.status === 412) return await this.meanwhile();
       if (error.status === 409 && error.said.faults) return this.found(error.said.faults);
       tell(this.place, error);
@@ -122,32 +145,38 @@ class Edited {
       this.show();
     }
   }
+  say(words) {
+    this.told = null;
+    this.place.replaceChildren(words);
+  }
+  /** No answer to an earlier question counts any more. */
+  stopChecking() {
+    clearTimeout(this.later);
+    ++this.turn;
+  }
   async meanwhile() {
     await this.load();
-    this.found([]);
-    // Where nothing can be chosen, or only they changed it, the next save is meant for what is there now.
-    for (const key of this.changes.keys()) if (!this.conflict(key)) this.seen.set(key, this.was(key));
-    const both = [...this.changes.keys()].filter((key) => this.conflict(key));
+    const both = this.conflicts();
     const words = made("p", {}, made("strong", {}, "Somebody else has changed this file meanwhile. "), !this.dirty
       ? "It says what you wanted: there is nothing left to save."
       : both.length > 0 ? "Where you both changed the same, choose whose value stays, then save." : "Theirs is shown, and yours still stands in its field: save again.");
-    this.place.replaceChildren(words, ...(both.length > 0 ? [this.wayTo(both[0], "Choose")] : []));
+    const first = both.find((key) => this.rows.get(key)?.chooses);
+    this.place.prepend(words, ...(first ? [this.wayTo(first, "Choose")] : []));
+    this.told = null;
     this.show();
   }
   forget() {
+    this.stopChecking();
     this.changes.clear();
     this.faults = [];
-    this.place.replaceChildren();
-    this.rows.clear();
-    this.draw();
-    this.show();
+    this.redraw();
   }
   show() {
-    const [save, forget] = this.buttons;
-    const open = [...this.changes.keys()].some((key) => this.conflict(key));
-    save.disabled = !this.dirty || this.faults.length > 0 || open || this.busy === true;
+    const [save, forget] = this.buttons, busy = this.busy === true;
+    save.disabled = !this.dirty || this.faults.length > 0 || this.conflicts().length > 0 || busy;
     save.textContent = this.changes.size > 1 ? `Save ${this.changes.size} changes` : "Save";
     forget.hidden = !this.dirty;
+    forget.disabled = busy;
   }
 }
 
@@ -192,7 +221,7 @@ function fieldRow(edited, key, field, how = {}) {
     input.addEventListener("input", () => edited.want(key, typed(input.value, field)));
   }
   Object.assign(input, { id });
-  input.setAttribute("aria-describedby", id + "-said");
+  input.setAttribute("aria-describedby", `${id}-said ${id}-fault`);
   const fault = made("p", { className: "fault", id: id + "-fault" });
   fault.setAttribute("role", "alert");
   const called = how.label ?? asLabel(field.key), words = how.help ?? sentence(field.words);
@@ -203,7 +232,7 @@ function fieldRow(edited, key, field, how = {}) {
   const row = made("div", { className: "field " + (field.kind === "boolean" ? "switch" : "") },
     ...(field.kind === "boolean" ? [input, label] : [label, made("div", { className: "value" }, input, color, unit)]),
     made("p", { className: "small", id: id + "-said" }, help), fault);
-  const theirs = made("div", { className: "theirs" });
+  const theirs = made("div", {});
   row.append(theirs);
   edited.rows.set(key, {
     chooses: true,
@@ -212,16 +241,11 @@ function fieldRow(edited, key, field, how = {}) {
       input.focus({ preventScroll: true });
     },
     fault(found, conflict) {
-      fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : []));
+      const now = found ? `${found.what} ${found.remedy}` : "";
+      if (now !== fault.textContent) fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : []));
       if (found) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
-      theirs.replaceChildren();
-      if (!conflict) return;
-      const take = made("button", { type: "button", className: "quiet" }, "Take theirs");
-      take.addEventListener("click", () => { edited.changes.delete(key); edited.rows.clear(); edited.draw(); edited.show(); });
-      const keep = made("button", { type: "button", className: "quiet" }, "Keep mine");
-      keep.addEventListener("click", () => { edited.seen.set(key, edited.was(key)); theirs.replaceChildren(); edited.show(); });
-      theirs.replaceChildren(`Theirs: ${inWords(conflict.theirs)}`, take, keep);
+      theirs.replaceChildren(...(conflict ? [edited.choice(key)] : []));
     },
   });
   return row;
@@ -279,7 +303,8 @@ function orderable(list, changed) {
     if (!other) return;
     way === "up" ? other.before(item) : other.after(item);
     changed(ids(), item);
-    event.target.focus();
+    // It may be drawn anew.
+    list.querySelector(`[data-id="${CSS.escape(item.dataset.id)}"] [data-way="${way}"]`)?.focus();
   });
   list.addEventListener("dragstart", (event) => {
     held = event.target.closest("li");

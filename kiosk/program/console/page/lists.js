@@ -17,13 +17,17 @@ let listEdit = null;
 async function showLists() {
   if (listEdit && listEdit.dirty) return;
   const name = $("list-which").value;
-  if (listEdit) edits.splice(edits.indexOf(listEdit), 1);
+  if (listEdit) {
+    listEdit.gone = true;
+    edits.splice(edits.indexOf(listEdit), 1);
+  }
   const edit = new Edited(name, $("list-words"), [$("list-save"), $("list-forget")], drawList);
   edits.push(listEdit = edit);
   $("list-what").textContent = LISTS[name].what;
-  $("list-words").replaceChildren();
+  edit.say("");
   try {
     const exhibit = await ask("/api/edit/exhibit");
+    if (edit.gone) return;
     const offered = exhibit.values.languages ?? ["en", "ko"];
     const others = [...new Set([...offered, ...exhibit.languages])].slice(1), chosen = $("list-beside").value;
     $("list-beside").replaceChildren(...others.map((code) => made("option", { value: code }, languageName(code))));
@@ -31,42 +35,43 @@ async function showLists() {
     $("list-beside").dataset.first = offered[0];
     await edit.load();
   } catch (error) {
+    if (edit.gone) return;
     $("list-body").replaceChildren();
-    if (error.status === 404) $("list-words").textContent = "This exhibit has none.";
+    if (error.status === 404) edit.say("This exhibit has none.");
     else tell($("list-words"), error);
   }
 }
 
-function drawList() {
-  const { table, title } = LISTS[listEdit.name], codes = [$("list-beside").dataset.first, $("list-beside").value];
-  const fields = listEdit.fields.filter((field) => field.table === table), words = listEdit.fields.filter((field) => field.any_key);
-  $("list-body").replaceChildren(...(listEdit.file.values[table] ?? []).map((one) => {
+function drawList(edit) {
+  const { table, title } = LISTS[edit.name], codes = [$("list-beside").dataset.first, $("list-beside").value];
+  const fields = edit.fields.filter((field) => field.table === table), words = edit.fields.filter((field) => field.any_key);
+  $("list-body").replaceChildren(...(edit.file.values[table] ?? []).map((one) => {
     const key = `${table}.${one.id}`, of = one[title] ?? {}, called = of[codes[0]] || of.en || one.id.replaceAll("_", " ");
-    const plain = fields.filter(({ key: name }) => applies(one, name));
+    const plain = fields.filter(({ key: name }) => applies(edit, one, name));
     const label = (field) => LIST_LABELS[field.key];
     const texts = words.flatMap((field) => {
       const name = field.table.split(".")[1];
-      return codes.map((code) => fieldRow(listEdit, `${key}.${name}.${code}`, field,
+      return codes.map((code) => fieldRow(edit, `${key}.${name}.${code}`, field,
         { label: `${LIST_LABELS[name] ?? asLabel(name)}, ${languageName(code)}`, lang: code, help: "", usual: "", lines: name === "about" || name === "words" ? 3 : 0 }));
     });
-    return section(called, ...texts, ...plain.map((field) => fieldRow(listEdit, `${key}.${field.key}`, field, { label: label(field) })));
+    return section(called, ...texts, ...plain.map((field) => fieldRow(edit, `${key}.${field.key}`, field, { label: label(field) })));
   }));
 }
 
 /** A mission has only the figures of its kind. */
-function applies(one, key) {
+function applies(edit, one, key) {
   const of = { vessels: ["today"], litres: ["describe"], height_mm: ["describe"], mouth_mm: ["describe"], vessel: ["eyes_closed", "two_hands"], second: ["two_hands"] };
-  return listEdit.name !== "missions" || !of[key] || of[key].includes(one.kind);
+  return edit.name !== "missions" || !of[key] || of[key].includes(one.kind);
 }
 
 $("list-which").addEventListener("change", () => {
   if (listEdit.dirty) {
     $("list-which").value = listEdit.name;
-    $("list-words").textContent = "Save your changes first, or forget them.";
+    listEdit.say("Save your changes first, or forget them.");
     return;
   }
   showLists();
 });
-$("list-beside").addEventListener("change", () => { listEdit.rows.clear(); drawList(); listEdit.check(); });
+$("list-beside").addEventListener("change", () => { listEdit.redraw(); listEdit.check(); });
 $("list-form").addEventListener("submit", (event) => { event.preventDefault(); listEdit.save(); });
 $("list-forget").addEventListener("click", () => listEdit.forget());

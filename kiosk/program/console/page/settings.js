@@ -94,9 +94,7 @@ function languageList() {
         // Its title goes and comes with it.
         if (settings.was("title." + code) !== undefined) settings.want("title." + code, box.checked ? settings.was("title." + code) : null);
         else if (!box.checked) settings.drop("title." + code);
-        settings.rows.clear();
-        drawSettings();
-        settings.found(settings.faults);
+        settings.redraw();
         $("language-" + code).focus();
       });
       const item = made("li", { draggable: on }, box, made("label", { htmlFor: box.id }, languageName(code)),
@@ -112,7 +110,7 @@ function languageList() {
     show(next);
   });
   const fault = made("p", { className: "fault" });
-  settings.rows.set("languages", { fault: (found) => fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : [])) });
+  settings.rows.set("languages", { show: () => list.querySelector("input").focus(), fault: (found) => fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : [])) });
   return made("div", { className: "field wide" }, made("h3", {}, "Languages"), list, fault);
 }
 
@@ -128,6 +126,11 @@ function exceptions() {
   const day = made("input", { id: "exception-day", placeholder: "12-25", autocomplete: "off" });
   const add = made("button", { type: "button", className: "quiet" }, "Add this day"), wrong = made("p", { className: "fault" });
   wrong.setAttribute("role", "alert");
+  day.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter") return;
+    event.preventDefault();
+    add.click();
+  });
   add.addEventListener("click", () => {
     const name = day.value.trim(), good = /^(\d{4}-)?\d\d-\d\d$/.test(name);
     wrong.textContent = good ? "" : "Write year, month and day (2026-12-24), or month and day (12-24).";

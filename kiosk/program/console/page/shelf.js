@@ -23,7 +23,7 @@ function drawShelf() {
     const label = made("button", { type: "button", className: "quiet" }, "Label");
     label.setAttribute("aria-label", "Label: " + title);
     label.addEventListener("click", () => openLabel(vessel));
-    const picture = made("img", { src: "/outline/" + vessel.id, alt: "", width: 56, height: 56, draggable: false });
+    const picture = made("img", { src: "/outline/" + encodeURIComponent(vessel.id), alt: "", width: 56, height: 56, draggable: false });
     picture.addEventListener("error", () => { picture.style.visibility = "hidden"; });
     const item = made("li", { draggable: true }, made("span", { className: "grip" }, "⠿"), picture,
       made("div", { className: "title" }, made("h3", { dir: "auto" }, title), made("p", { className: "small" },
@@ -68,18 +68,20 @@ const ABOUT = {
 let labelEdit = null, labelVessel = null;
 
 async function openLabel(vessel) {
+  if (labelEdit) return; // a second click
+  const edit = new Edited("vessel/" + vessel.id, $("label-words"), [$("label-save"), $("label-forget")], drawLabel);
   labelVessel = vessel;
-  labelEdit = new Edited("vessel/" + vessel.id, $("label-words"), [$("label-save"), $("label-forget")], drawLabel);
-  edits.push(labelEdit);
+  labelEdit = edit;
   $("label-title").textContent = titleOf(vessel);
-  $("label-words").replaceChildren();
+  edit.say("");
+  const offered = shelfEdit.file.values.languages ?? ["en", "ko"];
+  // A label comes before its language is offered, too.
+  const others = [...new Set([...offered, ...shelfEdit.file.languages])].slice(1);
+  $("label-beside").replaceChildren(...others.map((code) => made("option", { value: code },
+    languageName(code) + (offered.includes(code) ? "" : " (not offered yet)"))));
   try {
-    const offered = shelfEdit.file.values.languages ?? ["en", "ko"];
-    // A label comes before its language is offered, too.
-    const others = [...new Set([...offered, ...shelfEdit.file.languages])].slice(1);
-    $("label-beside").replaceChildren(...others.map((code) => made("option", { value: code },
-      languageName(code) + (offered.includes(code) ? "" : " (not offered yet)"))));
-    await labelEdit.load();
+    await edit.load();
+    edits.push(edit);
     $("shelf-form").hidden = true;
     $("label").hidden = false;
     $("label-title").focus();
@@ -91,8 +93,8 @@ async function openLabel(vessel) {
 }
 
 /** What a visitor will read, beside the fields. */
-function preview(code) {
-  const of = (key) => labelEdit.now(`label.${code}.${key}`) ?? "";
+function preview(edit, code) {
+  const of = (key) => edit.now(`label.${code}.${key}`) ?? "";
   const card = made("div", { className: "card", lang: code, dir: "auto" });
   if (!of("title")) {
     card.append(made("p", { className: "small", dir: "ltr", lang: "en" }, `No label in ${languageName(code)}: visitors read another language’s.`));
@@ -103,29 +105,29 @@ function preview(code) {
   return card;
 }
 
-function drawLabel() {
+function drawLabel(edit) {
   const languages = shelfEdit.file.values.languages ?? ["en", "ko"];
   const codes = [languages[0], $("label-beside").value];
-  const fields = labelEdit.fields.filter(({ table }) => table === "label.LANGUAGE");
+  const fields = edit.fields.filter(({ table }) => table === "label.LANGUAGE");
   $("label-languages").replaceChildren(...codes.map((code) => {
-    const seen = made("div", {}, preview(code));
-    const rows = fields.map((field) => fieldRow(labelEdit, `label.${code}.${field.key}`, field,
+    const seen = made("div", {}, preview(edit, code));
+    const rows = fields.map((field) => fieldRow(edit, `label.${code}.${field.key}`, field,
       { label: LABEL_WORDS[field.key], lang: code, lines: LINES[field.key], help: "", usual: "" }));
     const column = section(languageName(code), ...rows, made("div", { className: "wide" }, made("h3", {}, "What a visitor reads"), seen));
-    column.addEventListener("input", () => seen.replaceChildren(preview(code)));
+    column.addEventListener("input", () => seen.replaceChildren(preview(edit, code)));
     return column;
   }));
-  const about = Object.keys(ABOUT).map((key) => labelEdit.fields.find((field) => field.table === "" && field.key === key)).filter(Boolean);
-  $("label-about").replaceChildren(...about.map((field) => fieldRow(labelEdit, field.key, field, { label: ABOUT[field.key], help: "", lines: { source: 4, credit: 2, licence: 2, institution: 2, glazes: 2 }[field.key] ?? 0 })));
-  const gaps = languages.filter((code) => !labelEdit.now(`label.${code}.title`));
+  const about = Object.keys(ABOUT).map((key) => edit.fields.find((field) => field.table === "" && field.key === key)).filter(Boolean);
+  $("label-about").replaceChildren(...about.map((field) => fieldRow(edit, field.key, field, { label: ABOUT[field.key], help: "", lines: { source: 4, credit: 2, licence: 2, institution: 2, glazes: 2 }[field.key] ?? 0 })));
+  const gaps = languages.filter((code) => !edit.now(`label.${code}.title`));
   $("label-gaps").textContent = gaps.length === 0 ? "" : "Still without a label: " + gaps.map(languageName).join(", ") + ".";
 }
-$("label-beside").addEventListener("change", () => { labelEdit.rows.clear(); drawLabel(); labelEdit.check(); });
+$("label-beside").addEventListener("change", () => { labelEdit.redraw(); labelEdit.check(); });
 $("label-form").addEventListener("submit", (event) => { event.preventDefault(); labelEdit.save(); });
 $("label-forget").addEventListener("click", () => labelEdit.forget());
 $("label-close").addEventListener("click", () => {
   if (labelEdit.dirty) {
-    $("label-words").textContent = "Save your changes first, or forget them.";
+    labelEdit.say("Save your changes first, or forget them.");
     return;
   }
   edits.splice(edits.indexOf(labelEdit), 1);

@@ -23,7 +23,7 @@ class Editing : public ::testing::Test {
   /// What is wrong with `changes`, a JSON list.
   std::vector<ChangeFault> faults(const std::string& name, const std::string& changes) {
     const EditedFile edited = file(name);
-    const auto wanted = edited.changes_in(changes);
+    const auto wanted = edited.changes_in(R"({"changes": )" + changes + "}");
     EXPECT_TRUE(wanted) << changes;
     std::vector<ChangeFault> out;
     draft_ = edited.draft_of(*edited.text(), *wanted, out);
@@ -108,10 +108,17 @@ TEST_F(Editing, AVesselIsAFolderOfTheShelfAndNothingElse) {
 }
 
 TEST_F(Editing, WhatIsNoListOfChangesIsRefused) {
-  for (const char* wrong :
-       {"", "{}", "[1]", R"([["a"]])", R"([["a", {}]])", R"([[1, 2]])", R"([["a", [[{}]]]])", "[["})
-    EXPECT_FALSE(file("exhibit").changes_in(wrong)) << wrong;
-  EXPECT_TRUE(file("exhibit").changes_in("[]"));
+  const EditedFile edited = file("exhibit");
+  const auto in = [](const std::string& list) { return R"({"changes": )" + list + "}"; };
+  for (const char* wrong : {"", "{}", "[1]", R"([["a"]])", R"([["a", {}]])", R"([[1, 2]])",
+                            R"([["a", [[1]]]])", "[["}) {
+    EXPECT_FALSE(edited.changes_in(in(wrong))) << wrong;
+    EXPECT_FALSE(edited.changes_in(wrong)) << wrong;
+  }
+  // As deep as a body may be.
+  const std::string deep = std::string(60'000, '[') + std::string(60'000, ']');
+  EXPECT_FALSE(edited.changes_in(in(R"([["credit", )" + deep + "]]")));
+  EXPECT_TRUE(edited.changes_in(in("[]")));
 }
 
 TEST_F(Editing, ATextOfAnyLettersIsWrittenSoThatItReadsBackTheSame) {

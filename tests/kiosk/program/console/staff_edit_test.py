@@ -112,7 +112,7 @@ class StaffEdit(staff_site.StaffSite):
             self.assertEqual(page.value("document.getElementById('field-exhibit-idle-result_after').value"), "130")
             self.looked_at(page, "meanwhile", but="412")
             page.tap(".theirs button")
-            self.assertEqual(page.value("document.getElementById('field-exhibit-idle-warn_after').value"), "70")
+            page.wait("document.getElementById('field-exhibit-idle-warn_after').value === '70'", "theirs")
             self.save(page)
             self.assertEqual(self.values()["idle"], {"warn_after": 70, "countdown": 40, "result_after": 130})
 
@@ -131,6 +131,30 @@ class StaffEdit(staff_site.StaffSite):
             self.assertEqual(self.values()["hidden"], ["olla"])
             self.assertTrue((self.folder / "content/vessels/olla").is_dir())
             self.looked_at(page, "shelf_saved")
+
+    def test_two_who_hide_a_vessel_each_choose_and_what_is_typed_while_it_saves_stays(self):
+        with self.page() as page:
+            self.come_in(page, "shelf")
+            page.tap("#seen-olla")
+            self.exhibit.write_text(self.exhibit.read_text().replace("hidden = []", 'hidden = ["tea_bowl"]'))
+            page.tap("#shelf-save")
+            page.wait("document.getElementById('shelf-words').innerText.includes('Theirs: tea_bowl')", "both are told")
+            self.assertTrue(page.value("document.getElementById('shelf-save').disabled"))
+            self.assertEqual(self.values()["hidden"], ["tea_bowl"])
+            page.tap("#shelf-words .theirs button")
+            page.wait("!document.getElementById('seen-tea_bowl').checked && document.getElementById('seen-olla').checked", "theirs")
+            page.tap("#seen-olla")
+            page.wait("!document.getElementById('shelf-save').disabled", "it can be saved")
+            page.tap("#shelf-save")
+            page.tap("[data-id=tea_bowl] [data-way=up]")  # while it is saved
+            page.wait("document.getElementById('shelf-words').innerText.startsWith('Saved')", "saved", PATIENCE)
+            self.assertEqual(sorted(self.values()["hidden"]), ["olla", "tea_bowl"])
+            page.wait("!document.getElementById('shelf-save').disabled", "the order is still to be saved")
+            page.tap("#shelf-save")
+            page.browser.until(lambda: self.values()["order"] == ["moon_jar", "tea_bowl"], "the order is saved too", PATIENCE)
+            page.wait("document.getElementById('shelf-save').disabled", "nothing is left", PATIENCE)
+            ids = "[...document.querySelectorAll('#shelf-list li')].map((item) => item.dataset.id)"
+            self.assertEqual(page.value(ids), ["moon_jar", "tea_bowl", "olla"])
 
     def test_what_was_typed_stays_when_the_session_is_over(self):
         with self.page() as page:
