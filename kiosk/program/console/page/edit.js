@@ -241,14 +241,20 @@ function fieldRow(edited, key, field, how = {}) {
       input.focus({ preventScroll: true });
     },
     fault(found, conflict) {
-      const now = found ? `${found.what} ${found.remedy}` : "";
-      if (now !== fault.textContent) fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : []));
+      const [what, remedy] = found ? atItsField(found) : ["", ""];
+      if (`${what} ${remedy}` !== fault.textContent) fault.replaceChildren(...(found ? [made("strong", {}, what), " " + remedy] : []));
       if (found) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
       theirs.replaceChildren(...(conflict ? [edited.choice(key)] : []));
     },
   });
   return row;
+}
+
+/** A fault as it is said at its own field: without the key's name, and without how a file would have it. */
+function atItsField({ key, what, remedy }) {
+  for (const name of [key, key.split(".").pop()]) if (what.startsWith(name + " ")) what = "This" + what.slice(name.length);
+  return [what, remedy.replace(", without quotes", "")];
 }
 
 /** A colour to choose beside the one that is typed. */
