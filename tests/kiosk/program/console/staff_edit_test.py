@@ -85,6 +85,7 @@ class StaffEdit(staff_site.StaffSite):
             page.wait("document.querySelector('#settings-fields').innerText.includes('Write year, month and day')", "no date")
             page.value("document.getElementById('exception-day').value = '12-25'")
             page.tap("#exception-day + button")
+            page.wait("!!document.getElementById('field-exhibit-hours-exceptions-12-25')", "the day is there")
             self.save(page)
             values = self.values()
             self.assertEqual(values["languages"], ["fr", "en"])
