@@ -4,16 +4,54 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 #include "kiosk/collection/changes/typed_value.h"
 #include "kiosk/ground/files/crc32.h"
 #include "kiosk/ground/toml/toml_places.h"
 #include "kiosk/ground/toml/toml_splice.h"
+#include "kiosk/ground/toml/toml_tables.h"
 
 namespace onggi::changes {
+namespace {
+
+/// The table or element at the path that a person typed; none where there is none.
+std::optional<toml::Path> table_path(const std::string& text, const std::string& key) {
+  const toml::TomlPlaces places(text);
+  const auto found = typed_key(text, places, key, "");
+  if (!found) return std::nullopt;
+  const bool there = std::ranges::any_of(
+      places.headers(), [&](const auto& header) { return header.path == found->path; });
+  return there ? std::optional(found->path) : std::nullopt;
+}
+
+/// Adds the table `key` or takes it out.
+Result<void> change_table(Draft& draft, const fields::OptionalTable& table, const Change& change,
+                          const std::string& name) {
+  const toml::Path typed = toml::path_of(change.key);
+  if (change.value && *change.value != kNewTable)
+    return problem(name, change.key + " is a table, not a value.",
+                   "Write {} to add it, or name one of its keys: " + change.key + ".KEY.");
+  const auto there = table_path(draft.text, change.key);
+  if (there.has_value() == change.value.has_value()) return {};
+  auto done = !change.value    ? toml::without_table(draft.text, *there, name)
+              : !table.is_list ? toml::with_table(draft.text, typed, name)
+                               : toml::with_element(draft.text, {table.name}, typed.back(), name);
+  if (!done) return tl::unexpected(done.error());
+  if (done->text == draft.text) return {};
+  draft.values.push_back({change.key, done->was, change.value.value_or(""), done->is, true});
+  draft.text = std::move(done->text);
+  return {};
+}
+
+}  // namespace
 
 Result<void> make_change(Draft& draft, const fields::FieldList* list, const Change& change,
                          const std::string& name) {
+  if (list != nullptr)
+    if (const auto* table = fields::find_table(*list, toml::path_of(change.key)))
+      return change_table(draft, *table, change, name);
   const toml::TomlPlaces places(draft.text);
   const auto found = typed_key(draft.text, places, change.key, name);
   if (!found) return tl::unexpected(found.error());
@@ -24,7 +62,7 @@ Result<void> make_change(Draft& draft, const fields::FieldList* list, const Chan
   std::string was;
   if (const toml::TomlPlaces::Value* old = places.value(found->path))
     was = draft.text.substr(old->begin, old->end - old->begin);
-  ChangedValue value{found->shown, was, {}, {}};
+  ChangedValue value{found->shown, was, {}, {}, false};
   if (change.value) {
     auto is = typed_value(*change.value, field, was, name + ", " + found->shown);
     if (!is) return tl::unexpected(is.error());
@@ -44,9 +82,13 @@ Result<void> make_change(Draft& draft, const fields::FieldList* list, const Chan
 std::string line_of_key(const std::string& text, const std::string& name, const std::string& key) {
   const toml::TomlPlaces places(text);
   const auto found = typed_key(text, places, key, "");
-  const toml::TomlPlaces::Value* value = found ? places.value(found->path) : nullptr;
-  if (value == nullptr) return "";
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(value->begin);
+  if (!found) return "";
+  std::size_t at = std::string::npos;
+  for (const toml::TomlPlaces::Header& header : places.headers())
+    if (header.path == found->path && !header.path.empty()) at = header.begin;
+  if (const toml::TomlPlaces::Value* value = places.value(found->path)) at = value->begin;
+  if (at == std::string::npos) return "";
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
   return name + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) + ":";
 }
 

@@ -9,18 +9,23 @@
 
 namespace onggi::changes {
 
-/// What somebody wants of one key of a file.
+/// What adds a whole table, in place of a value: an effect "slump", a mission "mission.litre_jar".
+inline constexpr const char* kNewTable = "{}";
+
+/// What somebody wants of one key of a file, or of one of its optional tables.
 struct Change {
   std::string key;                   ///< As a person types it: "idle.warn_after".
-  std::optional<std::string> value;  ///< Likewise (typed_value()); none: the key is taken out.
+  std::optional<std::string> value;  ///< Likewise (typed_value()), or kNewTable; none: it is taken
+                                     ///< out.
 };
 
 /// One value that a change set, as the file writes it.
 struct ChangedValue {
-  std::string key;  ///< "idle.warn_after", "step.open.after".
-  std::string was;  ///< "60"; "": it was not written.
-  std::string is;   ///< "90"; "": it is not written any more.
-  std::string put;  ///< The bytes that were added for it; "": it was written.
+  std::string key;        ///< "idle.warn_after", "step.open.after".
+  std::string was;        ///< "60", of a table all its lines; "": it was not written.
+  std::string is;         ///< "90", kNewTable; "": it is not written any more.
+  std::string put;        ///< The bytes that were added for it; "": it was written.
+  bool is_table = false;  ///< `key` is a table or an element of a list.
 };
 
 /// A text of a file with some of its values changed, and nothing written yet.
@@ -35,7 +40,7 @@ struct Draft {
 Result<void> make_change(Draft& draft, const fields::FieldList* list, const Change& change,
                          const std::string& name);
 
-/// "name:line:", where the value of `key` stands in `text`; "" where it does not.
+/// "name:line:", where the value or table `key` stands in `text`; "" where it does not.
 std::string line_of_key(const std::string& text, const std::string& name, const std::string& key);
 
 /// The same for the same bytes, another for others: so a change meets the file that it was meant

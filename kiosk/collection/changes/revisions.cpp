@@ -56,7 +56,8 @@ std::string text_of(const Revision& revision, const std::string& file) {
       "\"\n";
   for (const ChangedValue& value : revision.values)
     out += "[[value]]\nkey = " + quoted_text(value.key) + "\nwas = " + quoted_text(value.was) +
-           "\nis = " + quoted_text(value.is) + "\nput = " + quoted_text(value.put) + "\n";
+           "\nis = " + quoted_text(value.is) + "\nput = " + quoted_text(value.put) +
+           (value.is_table ? "\ntable = true\n" : "\n");
   return out;
 }
 
@@ -109,18 +110,27 @@ Revision revision_of(const std::string& before, const std::string& after) {
 
 std::string words_of(const Revision& revision) {
   std::string out;
-  for (const ChangedValue& value : revision.values)
-    out += (out.empty() ? "" : "\n") + value.key + ": " + cut(value.was) + " -> " + cut(value.is);
+  for (const ChangedValue& value : revision.values) {
+    out += (out.empty() ? "" : "\n") + value.key;
+    out += value.is_table ? (value.is.empty() ? ": taken out" : ": added")
+                          : ": " + cut(value.was) + " -> " + cut(value.is);
+  }
   return out;
 }
 
 std::string change_words(const ChangedValue& value) {
+  if (value.is_table) return value.key + (value.is.empty() ? " was taken out." : " was added.");
   return value.key +
          (value.is.empty() ? " is not written any more" : " is " + cut(value.is) + " now") +
          ". It was " + cut(value.was) + ".";
 }
 
 std::string undo_words(const ChangedValue& value, const std::string& when) {
+  if (value.is_table)
+    return value.key +
+           (value.was.empty() ? " is taken out again. It was added "
+                              : " is there again. It was taken out ") +
+           when + ".";
   return value.key +
          (value.was.empty() ? " is not written any more" : " is " + cut(value.was) + " again") +
          ". It was " + cut(value.is) + " since " + when + ".";
@@ -184,6 +194,7 @@ std::optional<Revision> Revisions::read_one(const fs::path& file) const {
     ChangedValue value;
     good = table.text("key", value.key) && table.text("was", value.was) &&
            table.text("is", value.is) && table.text("put", value.put) && good;
+    table.boolean("table", value.is_table);
     out.values.push_back(std::move(value));
   }
   if (!good || out.values.empty()) return std::nullopt;

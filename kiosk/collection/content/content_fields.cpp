@@ -140,7 +140,8 @@ fields::FieldList all_glaze_fields() {
               share("band_width", 0.2, "0.02", "its width, as a share of the pot's height"),
               settings::spoken_field("glaze.name", "its name", bounds::kGlazeName),
               settings::spoken_field("glaze.about", "what it looks like", bounds::kGlazeAbout),
-          }};
+          },
+          {{.name = "glaze", .is_list = true, .words = "A glaze to choose in the kiln."}}};
 }
 
 fields::FieldList all_lesson_fields() {
@@ -164,7 +165,8 @@ fields::FieldList all_lesson_fields() {
                .unit = "s",
                .usual = "15"},
               settings::spoken_field("step.words", "what it says", bounds::kStepWords),
-          }};
+          },
+          {{.name = "step", .is_list = true, .words = "A step of the lesson."}}};
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ fields::FieldList all_mission_fields() {
            .choices = {kSecondHands.begin(), kSecondHands.end()}},
           spoken_field("mission.title", "the title of its card", bounds::kMissionTitle),
           spoken_field("mission.about", "the task", bounds::kMissionAbout),
-      }};
+      },
+      {{.name = "mission", .is_list = true, .words = "A task for visitors."}}};
   return list;
 }
 

@@ -99,6 +99,54 @@ constexpr SceneWords kSceneWords[] = {
     {"paper", "c_r", "drag of the pot, a metre of the deepest press"},
 };
 
+/// What each effect is, as config/README.md says it, and what visitors get by it.
+const fields::OptionalTable kEffects[] = {
+    {.name = MoistureDef::kName,
+     .words = "The sponge wets the clay: it slides, is softer, and dries again.",
+     .gives = "Visitors find out how much water clay likes."},
+    {.name = WallsDef::kName,
+     .words = "Without a second hand a wall moves as a whole: collaring thickens it, opening thins "
+              "it. A held wall gets thinner.",
+     .gives = "A wall needs a hand on either side, as on a real wheel."},
+    {.name = PropagationDef::kName,
+     .words = "Pressed clay drags the wall above and below.",
+     .gives = "Softer lines: a finger leaves no sharp groove."},
+    {.name = SpringbackDef::kName,
+     .words = "Part of a press comes back.",
+     .gives = "Leathery clay, for hands that know the soft one."},
+    {.name = SmoothingDef::kName,
+     .words = "Ribs and the sponge even the wall.",
+     .gives = "Fingers leave lines, and a tool takes them away."},
+    {.name = WobbleDef::kName,
+     .words = "A fresh lump beats against the hand until steady pressing centres it.",
+     .gives = "Centring, the first thing that potters learn."},
+    {.name = SlumpDef::kName,
+     .words = "A pot too weak for its weight sags. A pot that spins too fast spreads.",
+     .gives = "Pots can fall: too tall, too wet, too fast.",
+     .needs = VolumeDef::kName},
+    {.name = VolumeDef::kName,
+     .words = "No clay is lost. Pulling up makes the wall thinner and the pot taller",
+     .gives = "A pot grows by the clay that its wall gives."},
+    {.name = BuildingDef::kName,
+     .words = "The pot is built of coils that visitors lay on the rim.",
+     .gives = "Jars as onggi makers build them, not thrown.",
+     .needs = VolumeDef::kName},
+    {.name = BeatingDef::kName,
+     .words = "The wall is beaten thin between a paddle outside and an anvil inside.",
+     .gives = "Paddle and anvil as tools.",
+     .needs = VolumeDef::kName},
+    {.name = PrintsDef::kName,
+     .words = "Paddle and anvil leave their faces in the wall as relief.",
+     .gives = "Patterns that are beaten in.",
+     .needs = BeatingDef::kName},
+    {.name = FrictionDef::kName,
+     .words = "The wall drags the hand along.",
+     .gives = "A force device pulls the hand with the turning clay."},
+    {.name = KilnDef::kName,
+     .words = "The pot dries, is fired, shrinks, and gets the chosen glaze.",
+     .gives = "A finished pot at the end of the visit."},
+};
+
 /// "N/m^3" as the page writes it.
 std::string page_unit(std::string unit) {
   for (const auto& [plain, raised] : {std::pair{"^2", "²"}, {"^3", "³"}})
@@ -219,6 +267,7 @@ fields::FieldList all_scene_fields() {
       *std::ranges::find(out, PrintsDef::kName, &Field::table) = paddle();
   });
   add_def<PaperDef>(out);
+  list.tables.assign(std::begin(kEffects), std::end(kEffects));
   return list;
 }
 

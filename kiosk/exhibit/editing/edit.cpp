@@ -17,6 +17,7 @@
 #include "kiosk/ground/files/durable_steps.h"
 #include "kiosk/ground/toml/toml_reader.h"
 #include "kiosk/ground/toml/toml_splice.h"
+#include "kiosk/ground/toml/toml_tables.h"
 #include "kiosk/ground/toml/toml_text.h"
 
 namespace onggi::editing {
@@ -91,11 +92,46 @@ Result<void> replace(const fs::path& file, const std::string& before, const std:
   return {};
 }
 
+/// Takes `part` out of `text`; false where it does not stand there exactly once.
+bool erase_once(std::string& text, const std::string& part) {
+  const std::size_t found = text.find(part);
+  if (part.empty() || found == std::string::npos || text.find(part, found + 1) != std::string::npos)
+    return false;
+  text.erase(found, part.size());
+  return true;
+}
+
+std::string without_empty_lines(const std::string& lines) {
+  const std::size_t first = std::min(lines.find_first_not_of("\r\n"), lines.size());
+  return lines.substr(first, lines.find_last_not_of("\r\n") + 1 - first);
+}
+
+/// Puts back a table that was taken out, at the end, or takes out an added one in which a hand has
+/// written nothing. False where that cannot be.
+bool put_table_back(const ChangedValue& value, std::string& text) {
+  const bool there = !changes::line_of_key(text, "", value.key).empty();
+  if (there == value.is.empty()) return false;
+  if (there) {
+    const auto key = changes::typed_key(text, toml::TomlPlaces(text), value.key, "");
+    if (!key) return false;
+    const auto out = toml::without_table(text, key->path, "");
+    if (!out || without_empty_lines(out->was) != without_empty_lines(value.put)) return false;
+    text = out->text;
+    return true;
+  }
+  text += (text.empty() || text.ends_with('\n') ? "\n" : "\n\n") + value.was;
+  return toml::TomlReader::of_text(text, "").ok();
+}
+
 /// The value of `revision` put back into `now`, which has changed elsewhere since. None where it
 /// does not stand there as it was set.
 std::optional<std::string> put_back(const Revision& revision, const std::string& now) {
   std::string text = now;
   for (auto value = revision.values.rbegin(); value != revision.values.rend(); ++value) {
+    if (value->is_table) {
+      if (!put_table_back(*value, text)) return std::nullopt;
+      continue;
+    }
     const toml::TomlPlaces places(text);
     const auto key = changes::typed_key(text, places, value->key, "");
     const toml::TomlPlaces::Value* there = key ? places.value(key->path) : nullptr;
@@ -112,11 +148,7 @@ std::optional<std::string> put_back(const Revision& revision, const std::string&
       text.replace(there->begin, there->end - there->begin, value->was);
       continue;
     }
-    const std::size_t found = text.find(value->put);
-    if (value->put.empty() || found == std::string::npos ||
-        text.find(value->put, found + 1) != std::string::npos)
-      return std::nullopt;
-    text.erase(found, value->put.size());
+    if (!erase_once(text, value->put)) return std::nullopt;
     if (toml::TomlPlaces(text).value(key->path) != nullptr) return std::nullopt;
   }
   return text;

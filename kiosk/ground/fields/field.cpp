@@ -77,6 +77,13 @@ const Field* find_field(const FieldList& list, const toml::Path& names) {
   return found == list.fields.end() ? nullptr : &*found;
 }
 
+const OptionalTable* find_table(const FieldList& list, const toml::Path& path) {
+  const auto found = std::ranges::find_if(list.tables, [&path](const OptionalTable& table) {
+    return path.size() == (table.is_list ? 2u : 1u) && path[0] == table.name;
+  });
+  return found == list.tables.end() ? nullptr : &*found;
+}
+
 bool Field::matches(const toml::Path& names) const {
   const toml::Path own = toml::path_of(name());
   return own.size() == names.size() &&

@@ -43,11 +43,25 @@ struct Field {
   bool matches(const toml::Path& names) const;
 };
 
+/// A table that a file has or not, as a whole: an effect of a scene, or a list's elements.
+struct OptionalTable {
+  std::string name;      ///< "slump", "mission".
+  bool is_list = false;  ///< [[name]]: any number of elements, each with its own id.
+  std::string words{};   ///< What it is, in sentences.
+  std::string gives{};   ///< What visitors get by it, in sentences.
+  std::string needs{};   ///< Another table, without which it cannot be; "": none.
+};
+
 /// The keys of one kind of file.
 struct FieldList {
   std::string file;  ///< "exhibit.toml", "scenes/*.toml".
   std::vector<Field> fields;
+  std::vector<OptionalTable> tables{};
 };
+
+/// The table that `path` means: {"slump"}, or an element of a list {"mission", "litre_jar"}. Null
+/// of anything else.
+const OptionalTable* find_table(const FieldList& list, const toml::Path& path);
 
 /// A number with the fewest digits that read back as the same: "0.004", "5000000".
 std::string number_words(double value);

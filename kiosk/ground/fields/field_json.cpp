@@ -49,16 +49,30 @@ Json json_of_field(const Field& field) {
   return out;
 }
 
+Json json_of_table(const OptionalTable& table) {
+  Json out =
+      Json::object({{"name", table.name}, {"is_list", table.is_list}, {"words", table.words}});
+  if (!table.gives.empty()) out["gives"] = table.gives;
+  if (!table.needs.empty()) out["needs"] = table.needs;
+  return out;
+}
+
 }  // namespace
 
 Json json_of(const FieldList& list) {
   Json all = Json::list();
   for (const Field& field : list.fields) all.push_back(json_of_field(field));
-  return Json::object({{"file", list.file}, {"fields", all}});
+  Json tables = Json::list();
+  for (const OptionalTable& table : list.tables) tables.push_back(json_of_table(table));
+  return Json::object({{"file", list.file}, {"fields", all}, {"tables", tables}});
 }
 
 std::string text_of(const FieldList& list) {
   std::string out = list.file + "\n";
+  for (const OptionalTable& table : list.tables)
+    out +=
+        (table.is_list ? "  [[" + table.name + "]]" : "  [" + table.name + "], may be left out") +
+        "\n      " + table.words + "\n";
   for (const Field& field : list.fields) {
     out += "  " + field.name();
     if (const std::string allowed = allowed_range(field); !allowed.empty()) out += ": " + allowed;

@@ -6,22 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include "kiosk/ground/toml/toml_reader_impl.h"
+#include "kiosk/ground/toml/toml_document_impl.h"
+#include "kiosk/ground/toml/toml_reader.h"
 
 namespace onggi::toml {
 namespace {
 
-bool begins_with(const Path& path, const Path& first) {
-  return path.size() >= first.size() && std::equal(first.begin(), first.end(), path.begin());
-}
-
 Path behind(const Path& path, const Path& first) {
   return {path.begin() + static_cast<std::ptrdiff_t>(first.size()), path.end()};
-}
-
-std::string_view end_of_line(std::string_view text) {
-  const std::size_t end = text.find('\n');
-  return end != std::string_view::npos && end > 0 && text[end - 1] == '\r' ? "\r\n" : "\n";
 }
 
 /// Finds where a value that is absent belongs.
@@ -155,31 +147,6 @@ class Adding {
   TomlPlaces places_;
   std::string newline_;
 };
-
-/// The node at `path` of a document, or null.
-::toml::node* node_at(::toml::node& root, const Path& path) {
-  ::toml::node* node = &root;
-  for (const std::string& name : path) {
-    if (::toml::table* table = node->as_table()) {
-      node = table->get(name);
-    } else if (::toml::array* list = node->as_array()) {
-      const std::size_t n = std::strtoul(name.c_str(), nullptr, 10);
-      node = n >= 1 && n <= list->size() ? list->get(n - 1) : nullptr;
-    } else {
-      return nullptr;
-    }
-    if (node == nullptr) return nullptr;
-  }
-  return node;
-}
-
-std::optional<::toml::table> parsed(const std::string& text) {
-  static const std::string kName = "text";
-  const AsciiToml ascii(text, kName);
-  ::toml::parse_result result = ::toml::parse(ascii.text(), std::string_view(kName));
-  if (!result || ascii.fault()) return std::nullopt;
-  return std::move(result).table();
-}
 
 /// Takes the value at `path` away, and the tables that are empty without it.
 void take_away(::toml::table& root, Path path) {

@@ -44,6 +44,40 @@ TEST(draft, knows_the_line_of_a_key) {
   EXPECT_EQ(line_of_key(kText, "a.toml", "idle.countdown"), "");
 }
 
+const fields::FieldList kTables{"a.toml",
+                                {{.table = "slump", .key = "density"},
+                                 {.table = "mission", .key = "id"},
+                                 {.table = "mission", .key = "kind"}},
+                                {{.name = "slump"}, {.name = "mission", .is_list = true}}};
+
+TEST(draft, adds_a_table_and_what_stands_in_it_in_one_change) {
+  Draft draft{"[[mission]]\nid = \"a\"\n", {}, false};
+  for (const Change& change :
+       {Change{"slump", kNewTable}, Change{"slump.density", "1900"}, Change{"mission.b", kNewTable},
+        Change{"mission.b.kind", "today"}, Change{"slump", kNewTable}})
+    ASSERT_TRUE(make_change(draft, &kTables, change, "a.toml")) << change.key;
+  EXPECT_EQ(draft.text,
+            "[[mission]]\nid = \"a\"\n\n[slump]\ndensity = \"1900\"\n\n[[mission]]\nid = "
+            "\"b\"\nkind = \"today\"\n");
+  ASSERT_EQ(draft.values.size(), 4u);  // the second slump was there
+  EXPECT_EQ(draft.values[0].is, kNewTable);
+  EXPECT_TRUE(draft.values[0].is_table);
+  EXPECT_EQ(line_of_key(draft.text, "a.toml", "mission.b"), "a.toml:7:");
+  EXPECT_EQ(line_of_key(draft.text, "a.toml", "slump"), "a.toml:4:");
+}
+
+TEST(draft, takes_a_table_out_and_remembers_all_of_it) {
+  Draft draft{"a = 1\n\n# why\n[slump]\ndensity = 5\n", {}, false};
+  ASSERT_TRUE(make_change(draft, &kTables, {"slump", std::nullopt}, "a.toml"));
+  EXPECT_EQ(draft.text, "a = 1\n");
+  EXPECT_EQ(draft.values.at(0).was, "# why\n[slump]\ndensity = 5\n");
+  ASSERT_TRUE(make_change(draft, &kTables, {"slump", std::nullopt}, "a.toml"));
+  EXPECT_EQ(draft.values.size(), 1u);  // it is out
+  const auto wrong = make_change(draft, &kTables, {"slump", "5"}, "a.toml");
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().what, "slump is a table, not a value.");
+}
+
 TEST(tag_of, is_the_bytes_own) {
   EXPECT_EQ(tag_of(kText), tag_of(kText));
   EXPECT_NE(tag_of("a = 60"), tag_of("a = 90"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "engine/lab/scene_fields.h"
 #include "kiosk/collection/settings/scene_file_fields.h"
 #include "tests/kiosk/ground/fields/page_tables.h"
 
@@ -12,6 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// True if `effect` needs `other`, or what it needs does.
+bool needs(const fields::OptionalTable& effect, const std::string& other) {
+  if (effect.needs.empty()) return false;
+  if (effect.needs == other) return true;
+  const auto* next = fields::find_table(scene_fields(), {effect.needs});
+  return next != nullptr && needs(*next, other);
+}
+
 TEST(scene_file_fields, has_a_row_for_every_field_of_every_effect_and_part) {
   fields::test::expect_on_page(scene_fields(), "## scenes/*.toml",
                                [](const std::string& table) { return "### [" + table + "]"; });
@@ -20,6 +29,40 @@ TEST(scene_file_fields, has_a_row_for_every_field_of_every_effect_and_part) {
 TEST(scene_file_fields, have_words_for_every_number_of_the_engine) {
   fields::test::expect_whole(scene_fields());
   EXPECT_GE(scene_fields().fields.size(), 75u);
+}
+
+TEST(scene_file_fields, have_every_effect_of_the_engine_with_the_pages_words_and_its_needs) {
+  const fields::test::Lines page = fields::test::lines_of("config/README.md");
+  std::vector<std::string> names;
+  for (const fields::OptionalTable& effect : scene_fields().tables) {
+    names.push_back(effect.name);
+    const auto at = std::find(page.begin(), page.end(), "### [" + effect.name + "]");
+    ASSERT_LT(at, page.end() - 2) << effect.name;
+    EXPECT_TRUE((at + 2)->starts_with(effect.words)) << effect.name << ": " << *(at + 2);
+    EXPECT_FALSE(effect.gives.empty()) << effect.name;
+    // The engine says the same of a scene with this effect alone.
+    SceneDef alone;
+    std::size_t n = 0, at_n = lab::effect_names().size();
+    for (const std::string& name : lab::effect_names()) {
+      if (name == effect.name) at_n = n;
+      ++n;
+    }
+    ASSERT_LT(at_n, n) << effect.name;
+    alone = lab::bare(alone);
+    lab::add_effect(alone, at_n);
+    for (std::size_t other = 0; other < n; ++other)
+      if (other != at_n) {
+        SceneDef without = alone;
+        lab::remove_effect(without, other);
+        EXPECT_EQ(lab::has_effect(alone, other) && !lab::has_effect(without, at_n),
+                  needs(effect, lab::effect_names()[other]))
+            << effect.name << " and " << lab::effect_names()[other];
+      }
+  }
+  std::vector<std::string> engine = lab::effect_names();
+  std::sort(names.begin(), names.end());
+  std::sort(engine.begin(), engine.end());
+  EXPECT_EQ(names, engine);
 }
 
 /// The lines `key = value` of a file, without comments.
