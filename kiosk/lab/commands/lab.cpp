@@ -8,9 +8,9 @@
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/replay_file.h"
 #include "kiosk/lab/commands/lab_commands.h"
+#include "kiosk/lab/measure/bill_plot.h"
 #include "kiosk/lab/measure/loop_timing.h"
 #include "kiosk/lab/measure/price_list.h"
-#include "kiosk/lab/measure/scene_bill.h"
 #include "kiosk/lab/measure/stability.h"
 #include "kiosk/picture/drawing/put_report.h"
 
@@ -30,13 +30,13 @@ struct LabArguments {
 Result<int> bill(const LabArguments& arguments) {
   const settings::SceneRead read = settings::read_scene(arguments.bill);
   if (!read.problems.empty()) return tl::unexpected(read.problems.front());
-  auto paid = measure::bill_of(std::filesystem::path(arguments.bill).stem().string(), read.def,
-                               arguments.quick ? 1 : kPasses);
+  auto paid = tuning::bill_of(std::filesystem::path(arguments.bill).stem().string(), read.def,
+                              arguments.quick ? 1 : kPasses);
   if (!paid) return tl::unexpected(paid.error());
   paid->command = "onggi lab effects --bill " + arguments.bill;
-  const auto put = drawing::put_report(measure::json_of(*paid), arguments.json);
+  const auto put = drawing::put_report(tuning::json_of(*paid), arguments.json);
   if (!put) return tl::unexpected(put.error());
-  if (*put && !arguments.plot.to_stdout()) std::fputs(measure::text_of(*paid).c_str(), stdout);
+  if (*put && !arguments.plot.to_stdout()) std::fputs(tuning::text_of(*paid).c_str(), stdout);
   if (!arguments.plot.wanted()) return 0;
   return arguments.plot.write(plots::draw_bill(measure::sheet_of(*paid), arguments.plot.where()))
       .map([] { return 0; });

@@ -78,7 +78,7 @@ Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE*
     const std::vector<std::string> names = lab::effect_names();
     for (std::size_t n = 0; n < names.size(); ++n)
       if (lab::has_effect(preset.def, n)) scene.effects.push_back(names[n]);
-    auto bill = bill_of(preset.name, preset.def, 1);
+    auto bill = tuning::bill_of(preset.name, preset.def, 1);
     if (!bill) return tl::unexpected(bill.error());
     scene.bill = std::move(*bill);
     NaivePlan visits = plan;

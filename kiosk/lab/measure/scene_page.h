@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/exhibit/tuning/scene_bill.h"
 #include "kiosk/lab/measure/naive_table.h"
-#include "kiosk/lab/measure/scene_bill.h"
 
 namespace onggi::measure {
 
@@ -14,7 +14,7 @@ namespace onggi::measure {
 struct SceneEntry {
   std::string name, words;           ///< Its file's name, and the file's own description.
   std::vector<std::string> effects;  ///< The simulated effects besides contact.
-  SceneBill bill;
+  tuning::SceneBill bill;
   NaiveTable visits;  ///< Naive and careful hands.
 };
 

@@ -30,5 +30,6 @@ cli::Command decorate_command();
 
 /// Subcommands of `onggi lab`, in the museum's program.
 cli::Command tune_command();
+cli::Command prices_command();
 
 }  // namespace onggi::commands

@@ -12,9 +12,9 @@ std::optional<std::vector<std::string>> words_for_laboratory(
     const std::vector<std::string>& words) {
   if (words.empty()) return {};
   if (words.front() == "soak") return words;
-  // onggi's own help names tune, and says where the other commands are.
-  if (words.front() != "lab" || words.size() == 1 || words[1] == "tune" || words[1] == "--help" ||
-      words[1] == "-h")
+  // onggi's own help names tune and prices, and says where the other commands are.
+  if (words.front() != "lab" || words.size() == 1 || words[1] == "tune" || words[1] == "prices" ||
+      words[1] == "--help" || words[1] == "-h")
     return {};
   return std::vector<std::string>(words.begin() + 1, words.end());
 }
@@ -32,7 +32,7 @@ Problem become_laboratory(const std::vector<std::string>& words) {
   if (errno == ENOENT)
     return {program.string(), "The laboratory is not installed.",
             "Install the package onggi-lab, or build the target onggi-lab. \"onggi lab tune\" "
-            "works without it.",
+            "and \"onggi lab prices\" work without it.",
             2};
   return {program.string(), std::string("It cannot be started: ") + std::strerror(errno) + ".",
           "Install the package onggi-lab again.", 1};

@@ -6,12 +6,13 @@ namespace {
 /// The part of the laboratory that a museum needs. Other commands are in onggi-lab (lab_program.h).
 cli::Command lab_command() {
   return {.name = "lab",
-          .help = "Measure this machine (all but tune need the package onggi-lab)",
+          .help = "Measure this machine (all but tune and prices need the package onggi-lab)",
           .examples =
               "Example: onggi lab tune --write config/scenes/first_touch.toml\n"
+              "         onggi lab prices config/scenes/studio.toml\n"
               "         onggi lab accuracy\n"
               "onggi-lab --help lists the commands of the package onggi-lab.",
-          .commands = {tune_command()}};
+          .commands = {tune_command(), prices_command()}};
 }
 }  // namespace
 
