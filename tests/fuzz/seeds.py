@@ -78,12 +78,15 @@ def staff():
             "/figures.svg", "/api/keepsakes?day=2026-05-28", "/api/keepsakes?name=blue+heron%20x", "/api/people",
             f"/keepsake/{visit}/postcard.jpg", f"/print/{visit}", "/api/changes", "/api/door",
             "/api/edit/exhibit", "/api/edit/vessel/jar", "/api/edit/vessel/..", "/api/shelf", "/api/saved", "/api/revisions",
-            "/outline/jar"]
+            "/outline/jar", "/api/scenes", "/api/prices/soft", "/api/edit/scene/soft", "/api/edit/language/en"]
     posts = [("/api/enter", {"name": "maria", "passphrase": "three wet sponges"}), (f"/api/keepsakes/{visit}/delete", {}),
              (f"/api/keepsakes/{visit}/pass", {}), ("/api/people/maria/remove", {}), ("/api/passphrase", {"old": "", "new": ""}),
              ("/api/people", {"name": "maria", "role": "desk", "passphrase": "short"}), ("/api/undo", {}),
              ("/api/edit/exhibit/check", {"changes": [["idle.warn_after", 90], ["hours.exceptions.12-25", "closed"]]}),
              ("/api/edit/exhibit/save", {"tag": "x", "changes": [["credit", "한"], ["languages", ["en"]], ["order", None]]}),
+             ("/api/prices/soft", {}), ("/api/edit/scene/soft/check", {"changes": [["slump", {}], ["moisture", None], ["clay.rows", 50]]}),
+             ("/api/edit/language/en/check", {"changes": [["text.attract.begin", "{x}"]]}),
+             ("/api/edit/exhibit/check", {"changes": [["scene", "scenes/soft.toml"]]}),
              ("/api/edit/vessel/jar/check", {"changes": [["label.en.title", "Jar"], ["drawing", "../x"], ["glazes", []]]})]
     state = "version 0.1.0\nsaid 1780000000\nframes_a_second 59.9\ndevice x\ntrouble_at 5\nwhat x\nend\n"
     return ([b"\x0f" + f"GET\n{g}\n\n".encode() for g in gets] +

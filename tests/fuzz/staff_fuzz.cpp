@@ -27,6 +27,9 @@ constexpr const char* kExhibit = "credit = \"Kl4y-0f-museum\"\nlanguages = [\"en
 constexpr const char* kVessel =
     "drawing = \"../../../outside\"\ntrue_height_mm = 100\n[label.en]\ntitle = "
     "\"Kl4y-0f-museum\"\n";
+constexpr const char* kScene = "# Kl4y-0f-museum\n[moisture]\nair = 0.1\n[clay]\nrows = 40\n";
+constexpr const char* kWords =
+    "code = \"en\"\nname = \"English\"\n[text.attract]\ntitle = \"Kl4y-0f-museum\"\n";
 constexpr const char* kVisit = "2026-05-28_141503_moon_jar";
 
 /// A site with one keepsake, and a file outside that no request may reach.
@@ -41,6 +44,10 @@ struct World {
     fs::create_directories(site / "content/vessels/jar");
     std::ofstream(site / "content/vessels/jar/vessel.toml") << kVessel;
     std::ofstream(site / "config/exhibit.toml") << kExhibit;
+    fs::create_directories(site / "config/scenes");
+    fs::create_directories(site / "content/languages");
+    std::ofstream(site / "config/scenes/soft.toml") << kScene;
+    std::ofstream(site / "content/languages/en.toml") << kWords;
     std::ofstream(site / "outside") << "S3cr3t-0utside";
     put_back();
     auto found = console::Site::open(site);
@@ -52,6 +59,7 @@ struct World {
         .onggi = "/bin/true",
         .people = std::move(*people),
         .changes = console::ChangeLog(site / "state"),
+        .prices = site / "state/prices",
         .clock = [] { return std::int64_t{1'780'000'000}; },
         .tell = [](const onggi::Problem&) {}});
     auto door = console::Door::make("staff", site / "state", 1'780'000'000);
@@ -111,9 +119,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // This process writes no curator's file: another does, and here it does nothing.
   if (text_of(world.site / "config/exhibit.toml") != kExhibit ||
       text_of(world.site / "content/vessels/jar/vessel.toml") != kVessel ||
+      text_of(world.site / "config/scenes/soft.toml") != kScene ||
+      text_of(world.site / "content/languages/en.toml") != kWords ||
       !fs::exists(world.site / "outside"))
     std::abort();
-  if (!inside && ask.target.starts_with("/api/edit/") && answer.status < 400) std::abort();
+  for (const char* of_editors : {"/api/edit/", "/api/prices/", "/api/scenes"})
+    if (!inside && ask.target.starts_with(of_editors) && answer.status < 400) std::abort();
   world.put_back();
   return 0;
 }

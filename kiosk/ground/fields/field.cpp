@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "engine/base/nearest_name.h"
 #include "kiosk/ground/toml/toml_splice.h"
@@ -85,7 +86,9 @@ const OptionalTable* find_table(const FieldList& list, const toml::Path& path) {
 }
 
 bool Field::matches(const toml::Path& names) const {
-  const toml::Path own = toml::path_of(name());
+  toml::Path own;  // of a list's own names none has quotes
+  std::istringstream parts(name());
+  for (std::string part; std::getline(parts, part, '.');) own.push_back(part);
   return own.size() == names.size() &&
          std::equal(own.begin(), own.end(), names.begin(),
                     [](const std::string& part, const std::string& given) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "engine/base/nearest_name.h"
 #include "engine/lab/scene_fields.h"
+#include "kiosk/collection/settings/scene_words.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/read_file.h"
 #include "kiosk/lab/measure/middle.h"
@@ -39,27 +39,6 @@ std::string careful_of(const NaiveTable& table) {
 
 }  // namespace
 
-std::string words_of_scene(const std::string& toml) {
-  std::istringstream lines(toml);
-  std::string line, words;
-  while (std::getline(lines, line) && line.starts_with("#")) {
-    line.erase(0, line.starts_with("# ") ? 2 : 1);
-    words += (words.empty() ? "" : " ") + line;
-  }
-  std::string kept;
-  for (std::size_t from = 0; from < words.size();) {
-    const std::size_t stop = words.find(". ", from);
-    const std::size_t to = stop == std::string::npos ? words.size() : stop + 2;
-    const std::string sentence = words.substr(from, to - from);
-    if (!sentence.starts_with("What each") && !sentence.starts_with("An effect is") &&
-        sentence.find(".md") == std::string::npos)
-      kept += sentence;
-    from = to;
-  }
-  while (!kept.empty() && kept.back() == ' ') kept.pop_back();
-  return kept;
-}
-
 Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE* progress) {
   const auto root = files::program_root();
   if (!root) return tl::unexpected(root.error());
@@ -74,7 +53,7 @@ Result<std::vector<SceneEntry>> measure_scenes(const NaivePlan& plan, std::FILE*
       return problem(file.string(), "It cannot be read.", "Check its permissions and its size.");
     SceneEntry scene;
     scene.name = preset.name;
-    scene.words = words_of_scene({bytes->begin(), bytes->end()});
+    scene.words = settings::words_of_scene({bytes->begin(), bytes->end()});
     const std::vector<std::string> names = lab::effect_names();
     for (std::size_t n = 0; n < names.size(); ++n)
       if (lab::has_effect(preset.def, n)) scene.effects.push_back(names[n]);

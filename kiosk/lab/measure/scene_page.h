@@ -18,9 +18,6 @@ struct SceneEntry {
   NaiveTable visits;  ///< Naive and careful hands.
 };
 
-/// The sentences of a scene file's leading comment, except those that refer to other places ("What
-/// each ...", "An effect is ...", or that name another page). One line.
-std::string words_of_scene(const std::string& toml);
 /// Costs and visits of every preset of config/scenes, except those on the printed model. `plan`
 /// defines the visits; its scene is set here. Takes minutes. Problem as in bill_of and
 /// measure_naive.

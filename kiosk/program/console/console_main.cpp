@@ -306,6 +306,7 @@ onggi::Result<int> serve_staff(const Arguments& a) {
                                .onggi = onggi_program(),
                                .people = std::move(*people),
                                .changes = console::ChangeLog(state),
+                               .prices = state / "prices",
                                .clock = clock});
   const auto server = listen_at(*listening, staff);
   if (!server) return tl::unexpected(server.error());

@@ -11,13 +11,13 @@
 #include "kiosk/ground/web/message.h"
 #include "kiosk/program/console/change_log.h"
 #include "kiosk/program/console/edited_file.h"
-#include "kiosk/program/console/saver.h"
+#include "kiosk/program/console/onggi_process.h"
 #include "kiosk/program/console/site.h"
 
 namespace onggi::console {
 
 /// The part of the staff's page where editors change files. One thread; reads the disk, and leaves
-/// writing to Saver. A file is meant by a tag of its bytes, so that nobody's change is lost.
+/// writing to `onggi`. A file is meant by a tag of its bytes, so that nobody's change is lost.
 class EditAnswers {
  public:
   /// `site` stays with the caller. `onggi`: the program that writes.
@@ -52,7 +52,7 @@ class EditAnswers {
   web::Answer begin(std::vector<std::string> arguments, ChangeLog::Change note);
 
   Site& site_;
-  Saver saver_;
+  OnggiProcess saver_;
   int number_ = 0;
   std::map<int, std::string> said_;  ///< By number.
   ChangeLog::Change note_;

@@ -6,13 +6,18 @@
 #include <set>
 #include <utility>
 
+#include "kiosk/collection/changes/typed_value.h"
 #include "kiosk/collection/content/content_fields.h"
 #include "kiosk/collection/content/glaze.h"
+#include "kiosk/collection/content/language.h"
 #include "kiosk/collection/content/lesson.h"
 #include "kiosk/collection/content/pack.h"
+#include "kiosk/collection/content/word_fields.h"
 #include "kiosk/collection/settings/exhibit_fields.h"
 #include "kiosk/collection/settings/mission_fields.h"
 #include "kiosk/collection/settings/mission_file.h"
+#include "kiosk/collection/settings/scene_file.h"
+#include "kiosk/collection/settings/scene_file_fields.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/toml/stand_in.h"
 #include "kiosk/ground/toml/toml_places.h"
@@ -29,8 +34,10 @@ using fields::FieldKind;
 
 constexpr std::size_t kMostChanges = 200;
 
-/// A value of JSON as a person would type it, or as TOML writes it; none for an object.
+/// A value of JSON as a person would type it, or as TOML writes it; none for an object, unless it
+/// is empty, which is a new table.
 std::optional<std::string> written(const nlohmann::json& value, const fields::Field* field) {
+  if (value.is_object() && value.empty()) return changes::kNewTable;
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
   if (value.is_number()) return fields::number_words(value.get<double>());
@@ -56,15 +63,18 @@ std::string name_of(const Problem& problem) {
 
 // Where files lie, how phones reach the kiosk and how much it takes in are for whoever keeps the
 // machine: a page must not lead the kiosk, or itself, to other folders. By table and key.
-const std::set<std::string> kMachinesOwn{
-    "shelf", "scene",    "built_scene",     "rubric", "lesson", "build_lesson", "glazes",
-    "ways",  "missions", "keepsake.folder", "phone",  "reader", "vessel_scenes"};
+const std::set<std::string> kMachinesOwn{"shelf",           "vessel_scenes", "rubric", "lesson",
+                                         "build_lesson",    "glazes",        "ways",   "missions",
+                                         "keepsake.folder", "phone",         "reader"};
+// The last limit on forces, and the published model, which is for comparison.
+const std::set<std::string> kMakersOwn{"guard", "paper"};
 const std::set<std::string> kFilesOwn{"drawing", "decoration", "node", "units", "up", "color"};
 // The name of an element is how others know it.
 const std::set<std::string> kElementNames{"mission.id", "glaze.id", "step.id"};
 
 const std::set<std::string>& left_out_of(const fields::FieldList& list) {
   if (&list == &settings::exhibit_fields()) return kMachinesOwn;
+  if (&list == &settings::scene_fields()) return kMakersOwn;
   return &list == &content::vessel_fields() ? kFilesOwn : kElementNames;
 }
 
@@ -83,8 +93,34 @@ std::vector<Problem> of_missions(const fs::path& file, const std::vector<std::st
 std::vector<Problem> of_glazes(const fs::path& file, const std::vector<std::string>& languages) {
   return content::read_glazes(file, languages).problems;
 }
+std::vector<Problem> of_scene(const fs::path& file, const std::vector<std::string>&) {
+  return settings::read_scene(file).problems;
+}
+std::vector<Problem> of_language(const fs::path& file, const std::vector<std::string>&) {
+  content::LanguageRead read = content::check_language(file);
+  std::ranges::move(read.advice, std::back_inserter(read.problems));
+  return std::move(read.problems);
+}
 std::vector<Problem> of_lesson(const fs::path& file, const std::vector<std::string>& languages) {
   return content::read_lesson(file, languages).problems;
+}
+
+fs::path scene_folder(const Site& site) { return site.file().parent_path() / "scenes"; }
+
+/// True of a key whose value is one of scene_files().
+bool names_a_scene(const fields::Field& field) {
+  return field.table.empty() && (field.key == "scene" || field.key == "built_scene");
+}
+
+/// "title" and "fr" of `There is no title in the language "fr".`; nothing of another sentence.
+std::pair<std::string, std::string> lacking_in(const std::string& what) {
+  for (const std::string_view between : {" in the language \"", " for the language \""}) {
+    const std::size_t at = what.find(between);
+    if (at == std::string::npos) continue;
+    const std::size_t word = what.rfind(' ', at - 1) + 1, code = at + between.size();
+    return {what.substr(word, at - word), what.substr(code, what.find('"', code) - code)};
+  }
+  return {};
 }
 
 bool is_a_folders_name(const std::string& id) {
@@ -98,6 +134,7 @@ EditedFile::EditedFile(fs::path path, std::vector<std::string> languages,
     : path_(std::move(path)), languages_(std::move(languages)), reader_(reader) {
   const std::set<std::string>& left_out = left_out_of(all);
   list_.file = all.file;
+  list_.tables = all.tables;
   std::ranges::copy_if(all.fields, std::back_inserter(list_.fields), [&](const fields::Field& f) {
     return !left_out.contains(f.table) && !left_out.contains(f.name());
   });
@@ -112,17 +149,44 @@ std::optional<EditedFile> EditedFile::find(Site& site, const std::string& name) 
     if (!file || !fs::is_regular_file(*file, error)) return std::nullopt;
     return EditedFile(*file, languages, list, reader);
   };
-  if (name == "exhibit") return there(site.file(), settings::exhibit_fields(), of_exhibit);
+  if (name == "exhibit") {
+    auto out = there(site.file(), settings::exhibit_fields(), of_exhibit);
+    if (!out) return out;
+    std::vector<std::string> scenes;
+    for (const fs::path& scene : scene_files(site))
+      scenes.push_back("scenes/" + scene.filename().string());
+    for (fields::Field& field : out->list_.fields)
+      if (names_a_scene(field)) field.choices = scenes;
+    return out;
+  }
   if (name == "missions") return there(exhibit.missions, settings::mission_fields(), of_missions);
   if (name == "glazes") return there(exhibit.glazes, content::glaze_fields(), of_glazes);
   if (name == "lesson") return there(exhibit.lesson, content::lesson_fields(), of_lesson);
   if (name == "build_lesson")
     return there(exhibit.build_lesson, content::lesson_fields(), of_lesson);
-  constexpr std::string_view kVessel = "vessel/";
-  if (!name.starts_with(kVessel)) return std::nullopt;
-  const std::string id = name.substr(kVessel.size());
+  const std::size_t slash = name.find('/');
+  const std::string kind = name.substr(0, slash),
+                    id = slash == std::string::npos ? "" : name.substr(slash + 1);
   if (!is_a_folders_name(id)) return std::nullopt;
-  return there(exhibit.shelf / id / "vessel.toml", content::vessel_fields(), of_vessel);
+  if (kind == "vessel")
+    return there(exhibit.shelf / id / "vessel.toml", content::vessel_fields(), of_vessel);
+  if (kind == "scene")
+    return there(scene_folder(site) / (id + ".toml"), settings::scene_fields(), of_scene);
+  // The site's own words, and not those of the program.
+  if (kind == "language")
+    return there(site.file().parent_path().parent_path() / "content/languages" / (id + ".toml"),
+                 content::word_fields(), of_language);
+  return std::nullopt;
+}
+
+std::vector<fs::path> scene_files(const Site& site) {
+  std::vector<fs::path> out;
+  std::error_code gone;
+  for (fs::directory_iterator it(scene_folder(site), gone), end; !gone && it != end;
+       it.increment(gone))
+    if (it->path().extension() == ".toml" && it->is_regular_file(gone)) out.push_back(it->path());
+  std::ranges::sort(out);
+  return out;
 }
 
 Result<std::string> EditedFile::text() const {
@@ -157,10 +221,22 @@ changes::Draft EditedFile::draft_of(const std::string& text,
                                     std::vector<ChangeFault>& faults) const {
   changes::Draft draft{text, {}, false};
   for (const changes::Change& change : wanted)
-    if (const auto made = changes::make_change(draft, &list_, change, path_.filename().string());
-        !made)
+    if (!is_offered(change))
+      faults.push_back({change.key, "There is no such scene.",
+                        "Choose one of the files in scenes, beside the exhibit's own file."});
+    else if (const auto made =
+                 changes::make_change(draft, &list_, change, path_.filename().string());
+             !made)
       faults.push_back({change.key, made.error().what, made.error().remedy});
   return draft;
+}
+
+bool EditedFile::is_offered(const changes::Change& change) const {
+  const fields::Field* field = fields::find_field(list_, toml::path_of(change.key));
+  if (field == nullptr || !names_a_scene(*field) || !change.value) return true;
+  return std::ranges::any_of(field->choices, [&](const std::string& choice) {
+    return *change.value == toml::quoted_text(choice);
+  });
 }
 
 std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
@@ -177,16 +253,15 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
   std::vector<ChangeFault> out;
   for (const Problem& problem : after) {
     if (before.contains(name_of(problem))) continue;
+    if (const std::string key = missing_key(draft.text, problem); !key.empty()) {
+      out.push_back({key, problem.what, "Write it here."});  // no line of the file: a field
+      continue;
+    }
     const auto of = std::ranges::find_if(draft.values, [&](const changes::ChangedValue& value) {
       const std::string line = changes::line_of_key(draft.text, path_.string(), value.key);
       return !line.empty() && problem.where.starts_with(line);
     });
-    if (of != draft.values.end())
-      out.push_back({of->key, problem.what, problem.remedy});
-    else if (const std::string key = missing_key(draft.text, problem); !key.empty())
-      out.push_back({key, problem.what, "Write it here."});  // no line of the file: a field
-    else
-      out.push_back({"", problem.what, problem.remedy});
+    out.push_back({of == draft.values.end() ? "" : of->key, problem.what, problem.remedy});
   }
   std::stable_partition(out.begin(), out.end(),
                         [](const ChangeFault& fault) { return !fault.key.empty(); });
@@ -194,24 +269,36 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
 }
 
 std::string EditedFile::missing_key(const std::string& text, const Problem& problem) const {
-  // "label.en.culture is missing."
-  const toml::Path first = toml::path_of(problem.what.substr(0, problem.what.find(' ')));
-  if (first.size() > 1 && fields::find_field(list_, first) != nullptr) return toml::key_text(first);
+  // "label.en.culture is missing.", "attract.begin is missing." of [text]
+  toml::Path first = toml::path_of(problem.what.substr(0, problem.what.find(' ')));
+  if (problem.what.ends_with(" is missing.") && first.size() > 1) {
+    if (fields::find_field(list_, first) != nullptr) return toml::key_text(first);
+    first.insert(first.begin(), "text");
+    if (fields::find_field(list_, first) != nullptr) return toml::key_text(first);
+  }
   if (problem.what.starts_with("There are no hours for ")) return "hours.every_day";
-  const std::size_t open = problem.what.find('"'), close = problem.what.find('"', open + 1);
-  if (close == std::string::npos) return {};
-  const std::string name = problem.what.substr(open + 1, close - open - 1);
+  const auto [word, language] = lacking_in(problem.what);
+  if (language.empty()) return {};
   const toml::TomlPlaces places(text);
   for (const toml::TomlPlaces::Header& header : places.headers()) {
     if (header.path.empty()) continue;
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(header.begin);
     const std::string line =
         path_.string() + ':' + std::to_string(1 + std::count(text.begin(), end, '\n')) + ':';
-    toml::Path path = header.path;
-    path.push_back(name);
-    const fields::Field* field = fields::find_field(list_, path);
-    if (field != nullptr && field->any_key && problem.where.starts_with(line))
-      return toml::key_text(path);
+    if (!problem.where.starts_with(line)) continue;
+    const toml::Path list(header.path.begin(), header.path.end() - 1);
+    const bool element = places.elements(list) > 0;
+    toml::Path names = element ? list : header.path, path = header.path;
+    if (element) {
+      path.push_back(word);
+      names.push_back(word);
+    }
+    path.push_back(language);
+    names.push_back(language);
+    const fields::Field* field = fields::find_field(list_, names);
+    if (field == nullptr || !field->any_key) continue;
+    const auto typed = changes::typed_key(text, places, toml::key_text(path), "");
+    if (typed) return typed->shown;
   }
   return {};
 }

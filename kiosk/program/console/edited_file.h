@@ -18,15 +18,21 @@ struct ChangeFault {
   std::string what, remedy;
 };
 
+/// The scenes that the page tells of and changes: those in `scenes` beside the exhibit's own file,
+/// by name.
+std::vector<std::filesystem::path> scene_files(const Site& site);
+
 /// A curator's file as the page changes it. Reads the disk at each call. One thread.
 class EditedFile {
  public:
   /// "exhibit"; "missions", "glazes", "lesson" or "build_lesson", where the exhibit has one;
-  /// "vessel/ID" of a folder on the shelf. None for all else.
+  /// "vessel/ID" of a folder on the shelf, "scene/NAME" of scene_files(), "language/CODE" of the
+  /// site's own. None for all else.
   static std::optional<EditedFile> find(Site& site, const std::string& name);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Its keys that may be changed here: none that names a place on the machine.
+  /// Its keys that may be changed here: none that names a place on the machine, but a scene among
+  /// scene_files().
   const fields::FieldList& fields() const { return list_; }
   /// Its text. Problem where it cannot be read, or is no TOML.
   Result<std::string> text() const;
@@ -46,6 +52,8 @@ class EditedFile {
                                           const std::vector<std::string>&);
   EditedFile(std::filesystem::path path, std::vector<std::string> languages,
              const fields::FieldList& all, Reader reader);
+  /// False for a scene that is not among scene_files().
+  bool is_offered(const changes::Change& change) const;
   /// The key that is absent, by a `problem` that is told of its table or of none: "title.fr",
   /// "label.en.culture", "hours.every_day". "" of another problem.
   std::string missing_key(const std::string& text, const Problem& problem) const;

@@ -39,6 +39,8 @@ const PageFile kPageFiles[] = {{"/base.js", kScript, k_base_js},
                                {"/settings.js", kScript, k_settings_js},
                                {"/shelf.js", kScript, k_shelf_js},
                                {"/lists.js", kScript, k_lists_js},
+                               {"/scenes.js", kScript, k_scenes_js},
+                               {"/words.js", kScript, k_words_js},
                                {"/staff.js", kScript, k_staff_js},
                                {"/print.js", kScript, k_print_js},
                                {"/door.js", kScript, k_door_js},
@@ -46,10 +48,12 @@ const PageFile kPageFiles[] = {{"/base.js", kScript, k_base_js},
                                {"/staff.svg", "image/svg+xml", k_staff_svg}};
 
 const char* const kEdit = "/api/edit/";
+const char* const kPrices = "/api/prices/";
 
 bool is_of_files(const std::string& path) {
-  return path.starts_with(kEdit) || path == "/api/shelf" || path == "/api/revisions" ||
-         path == "/api/saved" || path == "/api/undo";
+  return path.starts_with(kEdit) || path.starts_with(kPrices) || path == "/api/scenes" ||
+         path == "/api/shelf" || path == "/api/revisions" || path == "/api/saved" ||
+         path == "/api/undo";
 }
 
 web::Answer not_an_editor() { return refused(403, "This is for editors.", "Ask one of them."); }
@@ -279,6 +283,9 @@ web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path)
   if (path == "/api/shelf") return edit_.shelf(ask);
   if (path == "/api/revisions") return edit_.revisions(ask);
   if (path == "/api/saved") return edit_.saved(ask);
+  if (path == "/api/scenes") return scenes_.scenes(ask);
+  if (path.starts_with(kPrices))
+    return scenes_.prices(ask, decoded(path.substr(std::string_view(kPrices).size())));
   return path.starts_with(kEdit)
              ? edit_.file(ask, decoded(path.substr(std::string_view(kEdit).size())))
              : refused(404, "There is no such thing.", "Load this page again.");
@@ -286,6 +293,8 @@ web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path)
 
 web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session) {
   if (ask.target == "/api/undo") return edit_.undo(ask, session.who, parts_.clock());
+  if (ask.target.starts_with(kPrices))
+    return scenes_.measure(decoded(ask.target.substr(std::string_view(kPrices).size())));
   const std::size_t last = ask.target.rfind('/'), first = std::string_view(kEdit).size();
   if (last <= first) return refused(404, "This cannot be done here.", "Use the page.");
   const std::string name = decoded(ask.target.substr(first, last - first)),

@@ -21,6 +21,7 @@
 #include "kiosk/program/console/file_check.h"
 #include "kiosk/program/console/patience.h"
 #include "kiosk/program/console/people.h"
+#include "kiosk/program/console/scene_answers.h"
 #include "kiosk/program/console/site.h"
 
 namespace onggi::console {
@@ -42,7 +43,7 @@ namespace onggi::console {
 ///   POST /api/keepsakes/VISIT/pass    a page for the visitor's phone
 ///   POST /api/keepsakes/VISIT/delete  every copy, for good
 ///   POST /api/passphrase         {old, new}: one's own
-///   GET  /api/edit/NAME      (e) a file that can be changed: exhibit, vessel/ID
+///   GET  /api/edit/NAME      (e) a file that can be changed: exhibit, scene/NAME
 ///   POST /api/edit/NAME/check(e) {changes}: what is wrong with them
 ///   POST /api/edit/NAME/save (e) {tag, changes}: begins to change it
 ///   GET  /api/saved?number=  (e) what came of a change
@@ -50,6 +51,9 @@ namespace onggi::console {
 ///   POST /api/undo           (e) {id, forget}: begins to take back the newest
 ///   GET  /api/shelf          (e) the vessels in their order
 ///   GET  /outline/ID             one of them from the side
+///   GET  /api/scenes         (e) the scenes: what each is for, who plays it
+///   GET  /api/prices/NAME    (e) what its effects cost on this machine
+///   POST /api/prices/NAME    (e) measures that anew
 ///   GET  /api/people         (e) names and roles
 ///   POST /api/people         (e) {name, role, passphrase}: adds or changes somebody
 ///   POST /api/people/NAME/remove (e)
@@ -65,6 +69,7 @@ class StaffAnswers final : public web::Answering {
     std::filesystem::path onggi;  ///< The program that changes files.
     People people;
     ChangeLog changes;
+    std::filesystem::path prices;         ///< A folder for what scenes cost.
     std::function<std::int64_t()> clock;  ///< s since 1970.
     /// Gets what the staff should know of a file.
     std::function<void(const Problem&)> tell = files::log_problem;
@@ -74,6 +79,7 @@ class StaffAnswers final : public web::Answering {
       : parts_(std::move(parts)),
         desk_(parts_.site, parts_.tell),
         edit_(parts_.site, parts_.onggi),
+        scenes_(parts_.site, ScenePrices(parts_.onggi, parts_.prices)),
         notice_(parts_.site.exhibit().keepsake.folder) {}
   StaffAnswers(const StaffAnswers&) = delete;
   StaffAnswers& operator=(const StaffAnswers&) = delete;
@@ -120,6 +126,7 @@ class StaffAnswers final : public web::Answering {
   Parts parts_;
   DeskAnswers desk_;
   EditAnswers edit_;
+  SceneAnswers scenes_;
   std::optional<Door> door_;
   std::vector<std::string> hosts_;
   souvenir::StaffNotice notice_;

@@ -62,6 +62,17 @@ class Edited {
       if (!this.changes.has(key)) this.seen.set(key, this.was(key));
       this.changes.set(key, value);
     }
+    this.soon();
+  }
+  /** Adds the table `key` or takes it out, with all that was typed in it. */
+  setTable(key, on) {
+    for (const other of [...this.changes.keys()]) if (other.startsWith(key + ".")) this.changes.delete(other);
+    if (on !== (this.was(key) !== undefined)) return this.want(key, on ? {} : null);
+    this.changes.delete(key);
+    this.soon();
+  }
+  /** It is checked in a moment, unless more is typed until then. */
+  soon() {
     this.show();
     clearTimeout(this.later);
     this.later = setTimeout(() => this.check(), WAIT);
@@ -195,11 +206,11 @@ async function outcome(number, place, words) {
 /** Why the kiosk's program refused. */
 const refusal = (said) => Object.assign(new Error(placeOf(said) + said.what), { remedy: said.remedy });
 
-const inWords = (value) => value === undefined || value === null ? "nothing" : Array.isArray(value) ? value.join(", ") : String(value);
+const inWords = (value) => value === undefined || value === null ? "nothing" : typeof value === "object" && !Array.isArray(value) ? "what stands there now" : Array.isArray(value) ? value.join(", ") : String(value);
 
 /**
  * A row of a form: the label, an input for the field's kind, what it does, what is allowed, and what is wrong with it.
- * `how`: {label, lines: of a longer text, lang, help}.
+ * `how`: {label, lines: of a longer text, lang, help, called: what a choice is called}.
  */
 function fieldRow(edited, key, field, how = {}) {
   const id = "field-" + edited.name.replace(/\W/g, "-") + "-" + key.replace(/\W/g, "-");
@@ -209,8 +220,9 @@ function fieldRow(edited, key, field, how = {}) {
     input = made("input", { type: "checkbox", checked: start === undefined ? usual === "true" : start === true });
     input.addEventListener("change", () => edited.want(key, input.checked));
   } else if (field.choices) {
-    input = made("select", {}, made("option", { value: "" }, usual ? `${usual} (usual)` : "(none)"),
-      ...field.choices.map((one) => made("option", { value: one }, one)));
+    const called = how.called ?? ((one) => one);
+    input = made("select", {}, made("option", { value: "" }, usual ? `${called(usual)} (usual)` : "(none)"),
+      ...field.choices.map((one) => made("option", { value: one }, called(one))));
     input.value = start ?? "";
     input.addEventListener("change", () => edited.want(key, input.value === "" ? null : input.value));
   } else {

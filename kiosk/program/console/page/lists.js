@@ -42,26 +42,74 @@ async function showLists() {
   }
 }
 
+/** Those that the file has and those that are to be added; {id} of each. */
+function elementsOf(edit, table) {
+  const there = edit.file.values[table] ?? [];
+  const added = [...edit.changes].filter(([key, value]) => key.startsWith(table + ".") && same(value, {})).map(([key]) => ({ id: key.slice(table.length + 1) }));
+  return [...there, ...added.filter(({ id }) => !there.some((one) => one.id === id))];
+}
+
 function drawList(edit) {
   const { table, title } = LISTS[edit.name], codes = [$("list-beside").dataset.first, $("list-beside").value];
   const fields = edit.fields.filter((field) => field.table === table), words = edit.fields.filter((field) => field.any_key);
-  $("list-body").replaceChildren(...(edit.file.values[table] ?? []).map((one) => {
-    const key = `${table}.${one.id}`, of = one[title] ?? {}, called = of[codes[0]] || of.en || one.id.replaceAll("_", " ");
-    const plain = fields.filter(({ key: name }) => applies(edit, one, name));
+  $("list-body").replaceChildren(...elementsOf(edit, table).map((one) => {
+    const key = `${table}.${one.id}`, of = (code) => edit.now(`${key}.${title}.${code}`), called = of(codes[0]) || of("en") || one.id.replaceAll("_", " ");
+    const out = edit.changes.get(key) === null, remove = made("button", { type: "button", className: "quiet" }, out ? "Keep it" : "Take it out");
+    remove.setAttribute("aria-label", `${remove.textContent}: ${called}`);
+    remove.addEventListener("click", () => {
+      edit.setTable(key, out);
+      edit.redraw();
+    });
+    const fault = made("p", { className: "fault" });
+    fault.setAttribute("role", "alert");
+    edit.rows.set(key, { show: () => remove.focus(), fault: (found) => fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : [])) });
+    const foot = made("div", { className: "wide actions" }, ...(out ? [made("p", {}, made("strong", {}, "It is taken out when you save."))] : []), remove);
+    if (out) return section(called, foot, fault);
+    const plain = fields.filter(({ key: name }) => applies(edit, key, name));
     const label = (field) => LIST_LABELS[field.key];
     const texts = words.flatMap((field) => {
       const name = field.table.split(".")[1];
       return codes.map((code) => fieldRow(edit, `${key}.${name}.${code}`, field,
         { label: `${LIST_LABELS[name] ?? asLabel(name)}, ${languageName(code)}`, lang: code, help: "", usual: "", lines: name === "about" || name === "words" ? 3 : 0 }));
     });
-    return section(called, ...texts, ...plain.map((field) => fieldRow(edit, `${key}.${field.key}`, field, { label: label(field) })));
-  }));
+    const rows = plain.map((field) => {
+      const row = fieldRow(edit, `${key}.${field.key}`, field, { label: label(field) });
+      // Other figures belong to another kind.
+      if (field.key === "kind") row.addEventListener("change", () => { edit.redraw(); $(row.querySelector("select").id).focus(); });
+      return row;
+    });
+    return section(called, ...texts, ...rows, foot, fault);
+  }), ...(table === "step" ? [] : [adding(edit, table)]));
+}
+
+/** A field for the name of one more, and a button. */
+function adding(edit, table) {
+  const id = made("input", { id: "list-new", autocomplete: "off", maxLength: 40, placeholder: table === "mission" ? "cup_of_the_day" : "sky_blue" });
+  const add = made("button", { type: "button", className: "quiet" }, `Add a ${table}`), wrong = made("p", { className: "fault" });
+  wrong.setAttribute("role", "alert");
+  id.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter") return;
+    event.preventDefault();
+    add.click();
+  });
+  add.addEventListener("click", () => {
+    const name = id.value.trim();
+    const good = /^[a-z0-9_]+$/.test(name), taken = elementsOf(edit, table).some((one) => one.id === name);
+    wrong.textContent = !good ? "Write small Latin letters, digits and _." : taken ? "There is one of that name." : "";
+    if (!good || taken) return id.focus();
+    edit.setTable(`${table}.${name}`, true);
+    if (table === "mission") edit.want(`mission.${name}.on`, false); // until it is finished
+    edit.redraw();
+    [...edit.rows].find(([key]) => key.startsWith(`${table}.${name}.`))?.[1].show();
+  });
+  return section(`One more ${table}`, made("div", { className: "field wide" }, made("label", { htmlFor: id.id }, "Its name in files; visitors do not see it"),
+    made("div", { className: "value" }, id, add), wrong));
 }
 
 /** A mission has only the figures of its kind. */
-function applies(edit, one, key) {
+function applies(edit, element, key) {
   const of = { vessels: ["today"], litres: ["describe"], height_mm: ["describe"], mouth_mm: ["describe"], vessel: ["eyes_closed", "two_hands"], second: ["two_hands"] };
-  return edit.name !== "missions" || !of[key] || of[key].includes(one.kind);
+  return edit.name !== "missions" || !of[key] || of[key].includes(edit.now(element + ".kind"));
 }
 
 $("list-which").addEventListener("change", () => {

@@ -1,8 +1,8 @@
 // The staff's page: its parts, of which one is shown. base.js comes before it, edit.js, settings.js and shelf.js too.
 "use strict";
 
-const PARTS = ["now", "desk", "figures", "settings", "shelf", "lists", "files", "people"];
-const FOR_EDITORS = ["settings", "shelf", "lists", "people"];
+const PARTS = ["now", "desk", "figures", "settings", "shelf", "scenes", "lists", "words", "files", "people"];
+const FOR_EDITORS = ["settings", "shelf", "scenes", "lists", "words", "people"];
 const EVERY = 2000; // ms between two looks at the kiosk
 
 // ---- Now
@@ -326,7 +326,9 @@ function showPart() {
   if (part() === "files") showFiles();
   if (part() === "settings") showSettings();
   if (part() === "shelf") showShelf();
+  if (part() === "scenes") showScenes();
   if (part() === "lists") showLists();
+  if (part() === "words") showWords();
   if (part() === "people") showPeople();
 }
 function begin() {

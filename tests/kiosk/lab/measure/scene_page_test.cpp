@@ -5,13 +5,6 @@
 namespace onggi::measure::scene_page_test {
 namespace {
 
-TEST(ScenePage, ASceneIsToldInItsFilesOwnWordsButForWhereToReadOn) {
-  EXPECT_EQ(words_of_scene("# For all: soft clay. What each key means: ../README.md.\n# So that "
-                           "one learns.\n# More: docs/paper.md.\n\n# a key's\n[clay]\n"),
-            "For all: soft clay. So that one learns.");
-  EXPECT_EQ(words_of_scene("[clay]\n"), "");
-}
-
 TEST(ScenePage, TellsWordsEffectsCostAndBothHands) {
   SceneEntry scene;
   scene.name = "soft";

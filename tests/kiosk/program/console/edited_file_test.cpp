@@ -90,7 +90,7 @@ TEST_F(Editing, ALabelIsCheckedAsAVesselsFileIs) {
 }
 
 TEST_F(Editing, WhereFilesLieOnTheMachineIsNotChangedHere) {
-  for (const char* key : {"shelf", "scene", "keepsake.folder", "reader.file_mb", "phone.address",
+  for (const char* key : {"shelf", "rubric", "keepsake.folder", "reader.file_mb", "phone.address",
                           "vessel_scenes.moon_jar", "missions"}) {
     const auto wrong = faults("exhibit", std::string("[[\"") + key + R"(", "/etc"]])");
     ASSERT_EQ(wrong.size(), 1u) << key;
@@ -99,10 +99,62 @@ TEST_F(Editing, WhereFilesLieOnTheMachineIsNotChangedHere) {
   EXPECT_EQ(faults("vessel/moon_jar", R"([["drawing", "../../../secret.toml"]])").size(), 1u);
 }
 
+TEST_F(Editing, ASceneIsChosenAmongThoseBesideTheExhibit) {
+  EXPECT_TRUE(faults("exhibit", R"([["scene", "scenes/studio.toml"]])").empty());
+  EXPECT_EQ(as_changed().scene.filename(), "studio.toml");
+  EXPECT_TRUE(faults("exhibit", R"([["built_scene", null]])").empty());
+  folder_.write("config/elsewhere.toml", "[kiln]\n");
+  for (const char* other :
+       {"elsewhere.toml", "scenes/../elsewhere.toml", "scenes/none.toml", "./scenes/studio.toml",
+        "scenes/studio.toml/", "'scenes/studio.toml'"}) {
+    const auto wrong = faults("exhibit", nlohmann::json::array({{"scene", other}}).dump());
+    ASSERT_FALSE(wrong.empty()) << other;
+    EXPECT_EQ(wrong[0].key, "scene") << other;
+    EXPECT_TRUE(draft_.values.empty()) << other;
+  }
+}
+
+TEST_F(Editing, AnEffectIsAddedOrTakenOutAndWhatItLacksIsSaidAtItsSwitch) {
+  const auto alone = faults("scene/first_touch", R"([["slump", {}]])");
+  ASSERT_EQ(alone.size(), 1u);
+  EXPECT_EQ(alone[0].key, "slump");
+  EXPECT_THAT(alone[0].what, HasSubstr("slump needs volume"));
+  EXPECT_TRUE(faults("scene/first_touch", R"([["slump", {}], ["volume", {}]])").empty());
+  EXPECT_TRUE(faults("scene/first_touch", R"([["friction", null]])").empty());
+  EXPECT_THAT(draft_.text, ::testing::Not(HasSubstr("\n[friction]\n")));
+  // The last limit on forces is not for a page, nor is what is no effect.
+  for (const char* key : {"guard.max_force", "guard", "paper", "paper.c_eta", "clay"})
+    EXPECT_EQ(faults("scene/first_touch", std::string("[[\"") + key + R"(", {}]])").size(), 1u)
+        << key;
+}
+
+TEST_F(Editing, WhatANewMissionLacksIsSaidAtItsFields) {
+  std::vector<std::string> keys;
+  for (const ChangeFault& fault :
+       faults("missions", R"([["mission.cup", {}], ["mission.cup.kind", "today"]])"))
+    keys.push_back(fault.key);
+  EXPECT_THAT(keys, ::testing::IsSupersetOf({"mission.cup.title.en", "mission.cup.title.ko"}));
+  EXPECT_TRUE(faults("missions", R"([["mission.litre_jar", null]])").empty());
+}
+
+TEST_F(Editing, WordsAreOfTheSiteAndKeepTheirPlaces) {
+  EXPECT_TRUE(faults("language/ko", R"([["text.attract.begin", "여기를 누르세요"]])").empty());
+  const auto wrong = faults("language/ko", R"([["text.all.list", "하나"]])");
+  ASSERT_EQ(wrong.size(), 1u);
+  EXPECT_EQ(wrong[0].key, "text.all.list");
+  const auto gone = faults("language/ko", R"([["text.attract.begin", null]])");
+  ASSERT_EQ(gone.size(), 1u);
+  EXPECT_EQ(gone[0].key, "text.attract.begin");
+  EXPECT_EQ(faults("language/ko", R"([["code", "fr"]])").size(), 1u);
+  fs::remove_all(folder_ / "content/languages");
+  EXPECT_FALSE(EditedFile::find(site_, "language/ko")) << "those of the program are nobody's here";
+}
+
 TEST_F(Editing, AVesselIsAFolderOfTheShelfAndNothingElse) {
   folder_.write("content/vessel.toml", "true_height_mm = 1\n");
   for (const char* name : {"vessel/..", "vessel/../vessels/moon_jar", "vessel/", "vessel/.",
-                           "vessel/none", "vessel/moon_jar/..", "", "scene", "exhibit/"})
+                           "vessel/none", "vessel/moon_jar/..", "", "scene", "exhibit/",
+                           "scene/../exhibit", "scene/none", "language/../glazes", "language/"})
     EXPECT_FALSE(EditedFile::find(site_, name)) << name;
   EXPECT_TRUE(EditedFile::find(site_, "vessel/moon_jar"));
 }
@@ -110,7 +162,7 @@ TEST_F(Editing, AVesselIsAFolderOfTheShelfAndNothingElse) {
 TEST_F(Editing, WhatIsNoListOfChangesIsRefused) {
   const EditedFile edited = file("exhibit");
   const auto in = [](const std::string& list) { return R"({"changes": )" + list + "}"; };
-  for (const char* wrong : {"", "{}", "[1]", R"([["a"]])", R"([["a", {}]])", R"([[1, 2]])",
+  for (const char* wrong : {"", "{}", "[1]", R"([["a"]])", R"([["a", {"b": 1}]])", R"([[1, 2]])",
                             R"([["a", [[1]]]])", "[["}) {
     EXPECT_FALSE(edited.changes_in(in(wrong))) << wrong;
     EXPECT_FALSE(edited.changes_in(wrong)) << wrong;

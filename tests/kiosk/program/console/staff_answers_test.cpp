@@ -52,6 +52,7 @@ class StaffPage : public ::testing::Test {
                             .onggi = "/bin/true",
                             .people = std::move(*people),
                             .changes = ChangeLog(state_),
+                            .prices = state_ / "prices",
                             .clock = [this] { return now_; }});
     auto door = Door::make("staff", state_, now_);
     ASSERT_TRUE(door);

@@ -253,6 +253,88 @@ class StaffEdit(staff_site.StaffSite):
                 self.save(page, "list")
                 self.assertIn(new, (self.folder / file).read_text())
 
+    def test_an_effect_is_switched_on_with_what_it_needs_and_its_price_is_told(self):
+        with self.page() as page:
+            self.come_in(page, "scenes")
+            self.looked_at(page, "scenes")
+            page.tap("[data-id=first_touch] button")
+            page.wait("document.getElementById('scene-time').innerText.includes('A tick takes')", "what it costs", PATIENCE)
+            cost = "document.querySelector('[data-id=%s] .cost').innerText"
+            self.assertIn("Would cost", page.value(cost % "propagation"))
+            self.assertIn("changes the test’s pot by", page.value(cost % "walls"))
+            self.assertIn("costs nothing at the wheel", page.value(cost % "kiln"))
+            self.looked_at(page, "scene")
+            self.seen(page, "console_scene", "#effect-walls")
+            page.tap("#effect-slump")
+            self.assertTrue(page.value("document.getElementById('effect-volume').checked"), "slump needs it")
+            page.tap("[data-id=slump] summary")
+            self.type(page, "slump-yield_stress", "5", "scene-first_touch")
+            page.wait(self.fault("slump-yield_stress", "scene-first_touch") + " !== ''", "too soft")
+            self.type(page, "slump-yield_stress", "8000", "scene-first_touch")
+            page.tap("#effect-volume")
+            page.wait("document.querySelector('[data-id=slump]').innerText.includes('slump needs volume')", "it cannot be without")
+            page.tap("#effect-volume")
+            page.wait("document.getElementById('scene-time').innerText.includes('With your changes about')", "what it will cost")
+            page.tap("#effect-friction")
+            self.save(page, "scene")
+            scene = self.values("config/scenes/first_touch.toml")
+            self.assertEqual((scene["slump"], scene["volume"], "friction" in scene), ({"yield_stress": 8000}, {}, False))
+            page.wait("!document.getElementById('scene-time').innerText.includes('Measuring')", "measured anew", PATIENCE)
+            self.assertIn("Costs", page.value(cost % "slump"))
+            page.tap("#scene-close")
+            page.wait("document.querySelector('[data-id=first_touch]').innerText.includes('A tick takes')", "in the list")
+            page.value("""(() => { const s = document.getElementById('field-exhibit-scene'); s.value = 'scenes/studio.toml';
+                s.dispatchEvent(new Event('change', {bubbles: true})); })()""")
+            self.save(page, "scenes")
+            self.assertEqual(self.values()["scene"], "scenes/studio.toml")
+            page.wait("document.querySelector('[data-id=studio]').innerText.includes('Visitors throw with it')", "who has it")
+            self.assertEqual(page.complaints(), [])
+
+    def test_a_mission_and_a_glaze_are_added_and_taken_out(self):
+        with self.page("tablet") as page:
+            self.come_in(page, "lists")
+            before = (self.folder / "content/missions.toml").read_text()
+            page.value("document.getElementById('list-new').value = 'Cup'")
+            page.tap("#list-new + button")
+            page.wait("document.getElementById('list-body').innerText.includes('Write small Latin letters')", "no name")
+            page.value("document.getElementById('list-new').value = 'cup'")
+            page.tap("#list-new + button")
+            page.wait("!!document.getElementById('field-missions-mission-cup-kind')", "the new one")
+            page.wait("document.getElementById('list-words').innerText.includes('need')", "what it lacks")
+            self.looked_at(page, "mission_new")
+            page.value("""(() => { const s = document.getElementById('field-missions-mission-cup-kind'); s.value = 'describe';
+                s.dispatchEvent(new Event('change', {bubbles: true})); })()""")
+            page.wait("!!document.getElementById('field-missions-mission-cup-litres')", "the figures of its kind")
+            for key, words in (("title-en", "A cup"), ("title-ko", "잔"), ("about-en", "It holds 0.2 litres."), ("about-ko", "0.2리터."), ("litres", "0.2")):
+                self.type(page, "mission-cup-" + key, words, "missions")
+            self.save(page, "list")
+            cup = self.values("content/missions.toml")["mission"][-1]
+            self.assertEqual((cup["id"], cup["kind"], cup["title"]["en"], cup["litres"]), ("cup", "describe", "A cup", 0.2))
+            page.tap("[aria-label='Take it out: A cup']")
+            self.assertIn("It is taken out when you save", self.text(page, "#list-body"))
+            self.save(page, "list")
+            self.assertEqual((self.folder / "content/missions.toml").read_text(), before)
+
+    def test_words_are_changed_beside_the_english_and_a_place_is_kept(self):
+        with self.page() as page:
+            self.come_in(page, "words")
+            page.tap("#words-body summary")
+            page.wait("!!document.querySelector('#words-body input, #words-body textarea')", "its texts")
+            self.looked_at(page, "words")
+            page.value("""(() => { const s = document.getElementById('words-find'); s.value = 'touch to begin';
+                s.dispatchEvent(new Event('input', {bubbles: true})); })()""")
+            self.assertIn("Touch to begin", self.text(page, "#words-body"))
+            self.type(page, "text-attract-begin", "여기를 누르세요", "language-ko")
+            page.value("""(() => { const s = document.getElementById('words-find'); s.value = 'all.list';
+                s.dispatchEvent(new Event('input', {bubbles: true})); })()""")
+            self.type(page, "text-all-list", "하나", "language-ko")
+            page.wait(self.fault("text-all-list", "language-ko") + ".includes('lacks {first}')", "what the program fills in")
+            self.looked_at(page, "words_fault")
+            self.type(page, "text-all-list", "{first}·{second}", "language-ko")
+            self.save(page, "words")
+            text = self.values("content/languages/ko.toml")["text"]
+            self.assertEqual((text["attract"]["begin"], text["all"]["list"]), ("여기를 누르세요", "{first}·{second}"))
+
     def test_the_desk_changes_nothing(self):
         with self.page() as page:
             self.come_in(page, "people")

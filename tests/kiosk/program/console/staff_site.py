@@ -14,7 +14,7 @@ import browser as browsers  # noqa: E402
 
 SIZES = {"desk": (1280, 800), "tablet": (820, 1180), "phone": (360, 740)}
 PARTS = {"now": "#lines li", "desk": "#found:not(:empty)", "figures": "#figures-words:not(:empty)", "files": "#files-list li",
-         "settings": "#settings-fields fieldset", "shelf": "#shelf-list li", "lists": "#list-body fieldset", "people": "#people-list"}
+         "settings": "#settings-fields fieldset", "shelf": "#shelf-list li", "lists": "#list-body fieldset", "scenes": "#scenes-list li", "words": "#words-body details", "people": "#people-list"}
 JAR, OLLA = "2026-05-28_141503_moon_jar", "2026-05-28_101500_olla"
 
 

@@ -1,4 +1,4 @@
-#include "kiosk/program/console/saver.h"
+#include "kiosk/program/console/onggi_process.h"
 
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -12,24 +12,24 @@ namespace onggi::console {
 
 namespace {
 
-constexpr double kSavingPatience = 300.0;  // s of work: a hundred scans
+constexpr double kWorkPatience = 300.0;  // s of work: a hundred scans
 constexpr int kRefused = 2;
 
 }  // namespace
 
-struct Saver::Shared {
+struct OnggiProcess::Shared {
   std::mutex mutex;  // guards:
   std::optional<std::string> said;
 };
 
-bool Saver::begin(std::vector<std::string> arguments) {
+bool OnggiProcess::begin(std::vector<std::string> arguments) {
   if (shared_) return false;
   shared_ = std::make_shared<Shared>();
   std::thread([shared = shared_, program = onggi_.string(), words = std::move(arguments)] {
     files::Helper helper;
     helper.program = program;
     helper.arguments = words;
-    helper.timeout_s = kSavingPatience;
+    helper.timeout_s = kWorkPatience;
     helper.answer = "report";
     helper.also_good = kRefused;
     const auto printed = files::run_helper(helper);
@@ -38,7 +38,7 @@ bool Saver::begin(std::vector<std::string> arguments) {
     if (!nlohmann::json::parse(said, nullptr, false).is_object())
       said = files::Json::object(
                  {{"done", false},
-                  {"what", printed ? "The change could not be made." : printed.error().what},
+                  {"what", printed ? "It could not be done." : printed.error().what},
                   {"remedy", printed ? "Try again, and look at Files." : printed.error().remedy}})
                  .text(-1);
     const std::lock_guard lock(shared->mutex);
@@ -47,13 +47,13 @@ bool Saver::begin(std::vector<std::string> arguments) {
   return true;
 }
 
-bool Saver::under_way() const {
+bool OnggiProcess::under_way() const {
   if (!shared_) return false;
   const std::lock_guard lock(shared_->mutex);
   return !shared_->said;
 }
 
-std::optional<std::string> Saver::take() {
+std::optional<std::string> OnggiProcess::take() {
   if (!shared_ || under_way()) return std::nullopt;
   const std::optional<std::string> said = std::move(shared_->said);
   shared_.reset();

@@ -8,14 +8,14 @@
 
 namespace onggi::console {
 
-/// Lets the program `onggi` change files, in a process of its own: it looks at the whole exhibit
-/// first, with every vessel, which takes seconds. A thread of its own waits for it; whoever asks
-/// here never waits. One change at a time. The object's end does not wait for one under way: that
-/// thread ends after it.
-class Saver {
+/// Lets the program `onggi` do what takes seconds, in a process of its own: change a file, for
+/// which it looks at the whole exhibit with every vessel, or measure. A thread of its own waits for
+/// it; whoever asks here never waits. One piece of work at a time. The object's end does not wait
+/// for one under way: that thread ends after it.
+class OnggiProcess {
  public:
   /// `onggi`: the program beside this one.
-  explicit Saver(std::filesystem::path onggi) : onggi_(std::move(onggi)) {}
+  explicit OnggiProcess(std::filesystem::path onggi) : onggi_(std::move(onggi)) {}
 
   /// Begins `onggi ARGUMENTS`, which prints a JSON object. False while another one is under way.
   bool begin(std::vector<std::string> arguments);

@@ -1,4 +1,4 @@
-#include "kiosk/program/console/saver.h"
+#include "kiosk/program/console/onggi_process.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::console::saver_test {
+namespace onggi::console::onggi_process_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,54 +28,54 @@ class Program {
   const files::test::ScratchFolder folder_;
 };
 
-nlohmann::json said_by(Saver& saver) {
-  for (int n = 0; n < 3000 && saver.under_way(); ++n)
+nlohmann::json said_by(OnggiProcess& process) {
+  for (int n = 0; n < 3000 && process.under_way(); ++n)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return nlohmann::json::parse(saver.take().value_or("null"));
+  return nlohmann::json::parse(process.take().value_or("null"));
 }
 
-TEST(SaverTest, GivesWhatTheProgramPrintedOnceAndItsWordsAsTheyAre) {
+TEST(OnggiProcessTest, GivesWhatTheProgramPrintedOnceAndItsWordsAsTheyAre) {
   const Program program(
       "cat > /dev/null; printf '{\"done\": true, \"got\": \"%s|%s\"}' \"$1\" \"$2\"");
-  Saver saver(program.path());
-  EXPECT_FALSE(saver.take());
-  ASSERT_TRUE(saver.begin({"a; $(b) *", "--x"}));
-  const auto said = said_by(saver);
+  OnggiProcess process(program.path());
+  EXPECT_FALSE(process.take());
+  ASSERT_TRUE(process.begin({"a; $(b) *", "--x"}));
+  const auto said = said_by(process);
   EXPECT_EQ(said["got"], "a; $(b) *|--x");
-  EXPECT_FALSE(saver.take());
+  EXPECT_FALSE(process.take());
 }
 
-TEST(SaverTest, OneAtATimeAndWhoeverAsksDoesNotWait) {
+TEST(OnggiProcessTest, OneAtATimeAndWhoeverAsksDoesNotWait) {
   const Program program("while [ ! -e \"$1\" ]; do sleep 0.02; done; echo '{\"done\": true}'");
-  Saver saver(program.path());
+  OnggiProcess process(program.path());
   const fs::path go = program / "go";
-  ASSERT_TRUE(saver.begin({go.string()}));
-  EXPECT_TRUE(saver.under_way());
-  EXPECT_FALSE(saver.take());
-  EXPECT_FALSE(saver.begin({go.string()}));
+  ASSERT_TRUE(process.begin({go.string()}));
+  EXPECT_TRUE(process.under_way());
+  EXPECT_FALSE(process.take());
+  EXPECT_FALSE(process.begin({go.string()}));
   std::ofstream(go) << "now";
-  EXPECT_EQ(said_by(saver)["done"], true);
-  EXPECT_TRUE(saver.begin({go.string()}));
+  EXPECT_EQ(said_by(process)["done"], true);
+  EXPECT_TRUE(process.begin({go.string()}));
 }
 
-TEST(SaverTest, ARefusalIsTheProgramsOwnAndAFailureIsTold) {
+TEST(OnggiProcessTest, ARefusalIsTheProgramsOwnAndAFailureIsTold) {
   const Program refuses("echo '{\"done\": false, \"what\": \"No.\"}'; exit 2");
-  Saver saver(refuses.path());
-  ASSERT_TRUE(saver.begin({}));
-  EXPECT_EQ(said_by(saver)["what"], "No.");
+  OnggiProcess process(refuses.path());
+  ASSERT_TRUE(process.begin({}));
+  EXPECT_EQ(said_by(process)["what"], "No.");
   for (const char* script : {"echo nonsense", "exit 1", "kill -9 $$", "echo '[1]'"}) {
     const Program fails(script);
-    Saver other(fails.path());
+    OnggiProcess other(fails.path());
     ASSERT_TRUE(other.begin({}));
     const auto said = said_by(other);
     EXPECT_EQ(said["done"], false) << script;
     EXPECT_FALSE(said["what"].get<std::string>().empty()) << script;
     EXPECT_FALSE(said["remedy"].get<std::string>().empty()) << script;
   }
-  Saver none("/nowhere/onggi");
+  OnggiProcess none("/nowhere/onggi");
   ASSERT_TRUE(none.begin({}));
   EXPECT_EQ(said_by(none)["done"], false);
 }
 
 }  // namespace
-}  // namespace onggi::console::saver_test
+}  // namespace onggi::console::onggi_process_test

@@ -1,0 +1,245 @@
+// Scenes: how the clay behaves, effect by effect, and what each costs on this machine.
+"use strict";
+
+const EFFECTS = {
+  moisture: "Water", walls: "Walls", propagation: "Neighbours follow", springback: "Springback", smoothing: "Smoothing", wobble: "Off centre",
+  slump: "Slumping", volume: "No clay is lost", building: "Built of coils", beating: "Paddle and anvil", prints: "The paddle’s prints",
+  friction: "Friction", kiln: "Kiln",
+};
+const SCENE_LABELS = {
+  "clay.rows": "Rows, over the height", "clay.sectors": "Sectors, round the axis", "clay.height": "Height of the lump", "clay.outer_radius": "Radius of the lump",
+  "clay.inner_radius": "Radius of its hole", "clay.floor_thickness": "Its floor", "clay.floor_min": "Thinnest floor", "clay.wall_min": "Thinnest wall",
+  "clay.radius_min": "Narrowest hole", "clay.radius_max": "Widest pot", "clay.keep_undo": "Strokes can be taken back", "tool.to_hand": "Tools beside the wheel",
+  "tool.radius": "Radius of a fingertip", "contact.stiffness": "Push of the clay", "wheel.max_speed": "Fastest turn of the wheel", quality: "The grid",
+};
+const SCENE_TABLES = [["The lump", ["clay"]], ["Touch", ["contact", "tool"]], ["The wheel", ["wheel"]],
+  ["Sizes of the tools", ["fingertip", "flat_rib", "curved_rib", "needle", "loop_trimmer", "sponge", "wire", "palm"]]];
+const sceneName = (file) => asLabel(file.replace(/^scenes\//, "").replace(/\.toml$/, ""));
+
+let scenes = [], sceneEdit = null, sceneOpen = null, scenePrices = null;
+const sceneChoice = new Edited("exhibit", $("scenes-words"), [$("scenes-save"), $("scenes-forget")], drawScenes);
+edits.push(sceneChoice);
+
+function drawScenes() {
+  $("scenes-list").replaceChildren(...scenes.map((scene) => {
+    const open = made("button", { type: "button", className: "quiet" }, "Open");
+    open.setAttribute("aria-label", "Open: " + sceneName(scene.name));
+    open.addEventListener("click", () => openScene(scene));
+    const who = [scene.thrown && "Visitors throw with it.", scene.built && "Visitors build with it.",
+      scene.vessels.length > 0 && "Of its own for " + scene.vessels.join(", ") + "."].filter(Boolean).join(" ");
+    const item = made("li", {}, made("div", { className: "title" }, made("h3", {}, sceneName(scene.name)), made("p", {}, scene.words),
+      made("p", { className: "small" }, scene.effects.map((effect) => EFFECTS[effect] ?? effect).join(", ") || "No effects."),
+      ...[who, scene.tick_us === undefined ? "" : tickWords(scene.tick_us)].filter(Boolean).map((words) => made("p", {}, made("strong", {}, words)))), open);
+    item.dataset.id = scene.name;
+    return item;
+  }));
+  const choose = (key, label, help) => {
+    const field = sceneChoice.fields.find((one) => one.table === "" && one.key === key);
+    return fieldRow(sceneChoice, key, field, { label, help, called: sceneName });
+  };
+  $("scenes-choice").replaceChildren(choose("scene", "Visitors throw with", "How the clay behaves on the wheel."),
+    choose("built_scene", "Visitors build with", "For vessels that were built of coils."));
+}
+
+async function showScenes() {
+  if (sceneEdit || (sceneChoice.file && sceneChoice.dirty)) return;
+  try {
+    scenes = await waiting($("scenes-words"), "Reading…", ask("/api/scenes"));
+    await sceneChoice.load();
+    if ($("scenes-words").textContent === "Reading…") $("scenes-words").replaceChildren();
+    showTicks(scenes);
+  } catch (error) {
+    tell($("scenes-words"), error);
+  }
+}
+/** Asks what each scene costs, so that what is not known is measured, one after the other. */
+async function showTicks(shown) {
+  for (const scene of shown.filter(({ tick_us }) => tick_us === undefined)) {
+    for (;;) {
+      if (sceneEdit || shown !== scenes || part() !== "scenes") return;
+      const now = await ask("/api/prices/" + encodeURIComponent(scene.name)).catch(() => ({}));
+      if (now.prices) {
+        scene.tick_us = now.prices.whole_us;
+        if (!sceneChoice.dirty && shown === scenes) sceneChoice.redraw();
+      }
+      if (!now.measuring) break;
+      await new Promise((done) => setTimeout(done, 1000));
+    }
+  }
+}
+$("scenes-form").addEventListener("submit", async (event) => { event.preventDefault(); await sceneChoice.save(); showScenes(); });
+$("scenes-forget").addEventListener("click", () => sceneChoice.forget());
+
+// ---- One scene
+
+async function openScene(scene) {
+  if (sceneEdit) return; // a second click
+  const edit = new Edited("scene/" + scene.name, $("scene-words"), [$("scene-save"), $("scene-forget")], drawScene);
+  sceneEdit = edit;
+  sceneOpen = scene;
+  scenePrices = null;
+  $("scene-title").textContent = sceneName(scene.name);
+  $("scene-about").textContent = scene.words;
+  edit.say("");
+  try {
+    await edit.load();
+    edits.push(edit);
+    $("scenes-form").hidden = true;
+    $("scene").hidden = false;
+    $("scene-title").focus();
+    scrollTo(0, 0);
+    showPrices();
+  } catch (error) {
+    sceneEdit = null;
+    tell($("scenes-words"), error);
+  }
+}
+
+/** What it costs, asked again until it is measured. */
+async function showPrices() {
+  const edit = sceneEdit;
+  for (let seconds = 0; edit && edit === sceneEdit; ++seconds) {
+    try {
+      const now = await ask("/api/prices/" + encodeURIComponent(sceneOpen.name));
+      if (edit !== sceneEdit) return;
+      if (now.prices || !scenePrices?.prices) scenePrices = now;
+      scenePrices.measuring = now.measuring;
+      scenePrices.seconds = seconds;
+      drawPrices(edit);
+      if (!now.measuring) return;
+    } catch (error) {
+      return tell($("scene-time"), error);
+    }
+    await new Promise((done) => setTimeout(done, 1000));
+  }
+}
+
+const us = (value) => value.toFixed(value < 10 ? 1 : 0).replace(/\.0$/, "") + " µs";
+const tickWords = (value) => `A tick takes ${us(value)} here, of 1,000.`;
+const inScene = (edit, effect) => edit.now(effect) !== undefined;
+/** Of a price that is within what the machine's other work does to a measurement. */
+const isSmall = (price, whole) => price < Math.max(0.3, 0.02 * whole);
+
+function priceOf(effect) {
+  const of = ({ effect: name, part_of }) => name === effect && part_of === "";
+  return scenePrices?.prices?.effects.find(of) ?? scenePrices?.prices?.offers?.find(of);
+}
+function priceWords(edit, effect) {
+  const price = priceOf(effect), whole = scenePrices?.prices?.whole_us;
+  if (effect === "kiln") return "It costs nothing at the wheel: it works after the visit’s last stroke.";
+  if (!price) return "";
+  const there = edit.was(effect) !== undefined;
+  const cost = isSmall(price.us, whole) ? (there ? "Costs hardly any time." : "Would cost hardly any time.") : `${there ? "Costs" : "Would cost about"} ${us(price.us)} a tick.`;
+  const parts = [price.shape_mm_rms >= 0.0005 && `the test’s pot by ${price.shape_mm_rms.toPrecision(2)} mm`, price.force_n_rms >= 0.0005 && `the hand’s force by ${price.force_n_rms.toPrecision(2)} N`].filter(Boolean);
+  return cost + (parts.length > 0 ? ` It changes ${parts.join(" and ")}.` : " It changes nothing in the test.");
+}
+
+/** The words and bars of prices, in a form that is drawn. */
+function drawPrices(edit) {
+  const prices = scenePrices?.prices, again = $("scene-measure");
+  again.disabled = scenePrices?.measuring === true;
+  const lines = [];
+  if (prices) {
+    const more = Object.keys(EFFECTS).reduce((sum, effect) => {
+      const price = priceOf(effect)?.us ?? 0;
+      return sum + (inScene(edit, effect) ? 1 : 0) * price - (edit.was(effect) !== undefined ? 1 : 0) * price;
+    }, 0);
+    const whole = prices.whole_us, most = 1000 * scenePrices.budget, times = most / (whole + more);
+    lines.push(made("p", {}, made("strong", {}, tickWords(whole)), Math.abs(more) > 0.05 ? ` With your changes about ${us(Math.max(whole + more, prices.contact_us))}.` : "",
+      times >= 1 ? ` The clay may take ${most}: it fits ${times >= 2 ? Math.floor(times) + " times over" : "well enough"}.` : ""));
+    if (times < 1) lines.push(made("p", { className: "fault" }, made("strong", {}, "This is too much for this machine."), ` The clay may take ${most} µs. Take an effect out, or choose a coarser grid.`));
+    lines.push(made("p", { className: "small" }, `On ${prices.rows} × ${prices.sectors}, with both hands at a wall; ${prices.machine}.` +
+      (prices.times_hold ? "" : " Something else kept the machine busy: measure again when it is quiet.")));
+  }
+  if (scenePrices?.grid) lines.push(made("p", { className: "small" }, "What the machine chose: " + scenePrices.grid));
+  if (scenePrices?.measuring) lines.push(made("p", {}, `Measuring what it costs, while nothing else wants the machine… (${scenePrices.seconds} s)`));
+  if (scenePrices?.trouble) lines.push(made("p", { className: "fault" }, scenePrices.trouble));
+  $("scene-time").replaceChildren(...lines);
+  const dearest = Math.max(...Object.keys(EFFECTS).map((effect) => priceOf(effect)?.us ?? 0), 1);
+  for (const item of document.querySelectorAll("#scene-effects .effect")) {
+    const effect = item.dataset.id, price = priceOf(effect);
+    item.querySelector(".cost").textContent = priceWords(edit, effect);
+    item.querySelector(".price span").style.width = `${Math.max(0, (100 * (price?.us ?? 0)) / dearest)}%`;
+    item.querySelector(".price").hidden = !price;
+  }
+}
+$("scene-measure").addEventListener("click", async () => {
+  try {
+    await ask("/api/prices/" + encodeURIComponent(sceneOpen.name), {});
+    showPrices();
+  } catch (error) {
+    tell($("scene-time"), error);
+  }
+});
+
+const unfolded = new Set(); // the effects whose figures are shown
+function effectItem(edit, table) {
+  const name = table.name, on = inScene(edit, name), id = "effect-" + name;
+  const box = made("input", { type: "checkbox", id, checked: on }), fault = made("p", { className: "fault" });
+  fault.setAttribute("role", "alert");
+  box.setAttribute("aria-describedby", id + "-cost");
+  box.addEventListener("change", () => {
+    switchEffect(edit, table, box.checked);
+    edit.redraw();
+    $(id).focus();
+  });
+  edit.rows.set(name, {
+    show: () => box.focus(),
+    fault: (found) => fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : [])),
+  });
+  const fields = edit.fields.filter((field) => field.table === name), inside = [];
+  if (on && fields.length > 0) {
+    const details = made("details", { open: unfolded.has(name) }, made("summary", {}, "Its figures"),
+      made("div", { className: "fields" }, ...fields.map((field) => fieldRow(edit, `${name}.${field.key}`, field))));
+    details.addEventListener("toggle", () => (details.open ? unfolded.add(name) : unfolded.delete(name)));
+    inside.push(details);
+  }
+  const item = made("li", { className: "effect" + (on ? "" : " off") },
+    made("div", { className: "field switch" }, box, made("label", { htmlFor: id }, EFFECTS[name] ?? asLabel(name)),
+      made("p", {}, [table.words.replace(/([^.])$/, "$1."), table.gives].join(" ")), made("p", { className: "small cost", id: id + "-cost" }),
+      made("div", { className: "price" }, made("span", {}))), fault, ...inside);
+  item.dataset.id = name;
+  return item;
+}
+/** Switches it, and what it needs with it. */
+function switchEffect(edit, table, on) {
+  edit.setTable(table.name, on);
+  const needed = on && table.needs ? edit.file.fields.tables.find(({ name }) => name === table.needs) : undefined;
+  if (needed && !inScene(edit, needed.name)) switchEffect(edit, needed, true);
+}
+
+function drawScene(edit) {
+  const row = (field) => {
+    const key = (field.table ? field.table + "." : "") + field.key;
+    const how = { label: SCENE_LABELS[key] };
+    if (key === "quality") Object.assign(how, { help: "“auto”: this machine finds the finest that it can use, within minutes after a start; “fixed”: the rows and sectors below.", usual: "fixed" });
+    if (key === "tool.to_hand") Object.assign(how, { help: "Empty: all of them. Names with commas between them: palm, sponge, wire.", allowed: "" });
+    return fieldRow(edit, key, field, how);
+  };
+  const grid = ["quality", "clay.rows", "clay.sectors"], named = (field) => (field.table ? field.table + "." : "") + field.key;
+  $("scene-grid").replaceChildren(...edit.fields.filter((field) => grid.includes(named(field))).map(row));
+  const tables = edit.file.fields.tables, order = Object.keys(EFFECTS), place = ({ name }) => (inScene(edit, name) ? 0 : 100) + order.indexOf(name);
+  $("scene-effects").replaceChildren(...[...tables].sort((a, b) => place(a) - place(b)).map((table) => effectItem(edit, table)));
+  $("scene-rest").replaceChildren(...SCENE_TABLES.map(([title, of]) => {
+    const rows = edit.fields.filter((field) => of.includes(field.table) && !grid.includes(named(field)))
+      .map((field) => (of.length > 2 ? fieldRow(edit, named(field), field, { label: `${asLabel(field.table)}: ${field.key}`, help: "" }) : row(field)));
+    const details = made("details", { open: unfolded.has(title) }, made("summary", {}, title), made("div", { className: "fields" }, ...rows));
+    details.addEventListener("toggle", () => (details.open ? unfolded.add(title) : unfolded.delete(title)));
+    return details;
+  }));
+  drawPrices(edit);
+}
+$("scene-form").addEventListener("submit", async (event) => {
+  event.preventDefault();
+  await sceneEdit.save();
+  showPrices();
+});
+$("scene-forget").addEventListener("click", () => sceneEdit.forget());
+$("scene-close").addEventListener("click", () => {
+  if (sceneEdit.dirty) return sceneEdit.say("Save your changes first, or forget them.");
+  edits.splice(edits.indexOf(sceneEdit), 1);
+  sceneEdit = null;
+  $("scene").hidden = true;
+  $("scenes-form").hidden = false;
+  showScenes().then(() => document.querySelector(`#scenes-list [data-id="${sceneOpen.name}"] button`)?.focus());
+});
