@@ -1,5 +1,5 @@
 """How long a change takes to be checked as it is typed on the staff's page, asked as a browser asks: 500 changes of one
-exhibit, and 500 of a label.
+exhibit, 500 of a label, 500 of a scene, and 500 of five words of a language.
 
 usage: staff_checks.py --console build/release/bin/onggi-console [--seed 46]
 """
@@ -48,6 +48,9 @@ def main():
                 "the exhibit": lambda: took("exhibit", [["idle.warn_after", chance.randint(0, 4000)],
                                                         ["credit", " ".join(chance.choices(words, k=8))]]),
                 "a label": lambda: took("vessel/moon_jar", [["label.ko.text", " ".join(chance.choices(words, k=chance.randint(1, 200)))]]),
+                "a scene": lambda: took("scene/master", [["clay.rows", chance.randint(1, 900)], ["slump", {}], ["wobble", None]]),
+                "words": lambda: took("language/ko", [[f"text.attract.{key}", " ".join(chance.choices(words, k=8))]
+                                                      for key in ("title", "lead", "begin", "centre", "collapse")]),
             }
             print("checks of       p50 ms  p95 ms  most ms")
             for name, one in kinds.items():
