@@ -26,6 +26,7 @@ cli::Command setup_command();
 cli::Command make_command();
 cli::Command inspect_command();
 cli::Command import_command();
+cli::Command look_command();
 cli::Command decorate_command();
 
 /// Subcommands of `onggi lab`, in the museum's program.

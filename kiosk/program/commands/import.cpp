@@ -16,6 +16,8 @@
 #include "kiosk/collection/content/vessel_file.h"
 #include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/json.h"
+#include "kiosk/ground/files/output.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/shared_folder.h"
 #include "kiosk/program/commands/commands.h"
@@ -27,8 +29,13 @@ namespace onggi::commands {
 
 namespace {
 
+using files::Json;
+constexpr double kLeastHeight_mm = 4.0, kMostHeight_mm = 2000.0;  // as the shelf takes
+
 struct ImportArguments {
   std::string file, id, node, up, shelf;
+  double height_mm = 0.0;
+  files::Output json{files::Output::Kind::json};
 };
 
 /// Where the vessel goes, and the languages that its label needs.
@@ -119,7 +126,19 @@ void tell(const fs::path& folder, std::size_t bytes, const std::vector<std::stri
             << "4. Remove the line unfinished = true. The vessel then stands on the shelf.\n";
 }
 
-Result<int> import_vessel(const ImportArguments& arguments) {
+Result<void> check_height(double height_mm) {
+  if (height_mm == 0.0 || (height_mm >= kLeastHeight_mm && height_mm <= kMostHeight_mm)) return {};
+  return problem("--height", "a vessel is 4 to 2000 mm tall.", "Write its height in millimetres.");
+}
+
+/// A vessel that stands on the shelf, and whose label is to be written.
+struct Imported {
+  fs::path folder;
+  std::size_t bytes = 0;
+  std::vector<std::string> languages, notes;
+};
+
+Result<Imported> import_vessel(const ImportArguments& arguments) {
   if (auto good = check_id(arguments.id); !good) return tl::unexpected(good.error());
   const auto place = place_of(arguments.shelf);
   if (!place) return tl::unexpected(place.error());
@@ -131,8 +150,10 @@ Result<int> import_vessel(const ImportArguments& arguments) {
   content::LoadOptions options;
   options.node = arguments.node;
   if (auto good = take_up(arguments.up, options); !good) return tl::unexpected(good.error());
-  const auto vessel = content::load_vessel(arguments.file, options);
+  if (auto good = check_height(arguments.height_mm); !good) return tl::unexpected(good.error());
+  auto vessel = content::load_vessel(arguments.file, options);
   if (!vessel) return tl::unexpected(vessel.error());
+  if (arguments.height_mm > 0.0) vessel->true_height = arguments.height_mm / 1000.0;
   const auto glb = glb_of(*vessel, arguments.node.empty());
   if (!glb) return tl::unexpected(glb.error());
 
@@ -144,9 +165,25 @@ Result<int> import_vessel(const ImportArguments& arguments) {
       !good)
     return tl::unexpected(good.error());
   files::share_as_above(folder);
-  tell(folder, glb->size(), place->languages);
-  for (const std::string& warning : vessel->extracted.warnings)
-    std::cout << "  note: " << terminal::plain(warning) << '\n';
+  return Imported{folder, glb->size(), place->languages, vessel->extracted.warnings};
+}
+
+Result<int> import(const ImportArguments& arguments) {
+  const auto done = import_vessel(arguments);
+  if (arguments.json.wanted()) {
+    Json out = Json::object({{"done", done.has_value()}});
+    if (!done) {
+      out["what"] = done.error().what;
+      out["remedy"] = done.error().remedy;
+    }
+    if (auto put = arguments.json.write(out.text(-1) + "\n"); !put)
+      return tl::unexpected(put.error());
+    return done ? 0 : 2;
+  }
+  if (!done) return tl::unexpected(done.error());
+  tell(done->folder, done->bytes, done->languages);
+  for (const std::string& note : done->notes)
+    std::cout << "  note: " << terminal::plain(note) << '\n';
   return 0;
 }
 
@@ -154,26 +191,29 @@ Result<int> import_vessel(const ImportArguments& arguments) {
 
 cli::Command import_command() {
   const auto a = std::make_shared<ImportArguments>();
-  return {.name = "import",
-          .help = "Make a vessel's folder from a scan, which you then complete",
-          .examples =
-              "Example: onggi vessel import scan.glb --id moon_jar\n"
-              "It goes onto the exhibit's shelf; visitors see it when you have completed it.\n"
-              "Copyright, licence and credit are taken from the file if it names them.",
-          .options = {{.name = "file",
-                       .field = &a->file,
-                       .help = "A GLB, glTF, OBJ, PLY or STL file, or a IIIF manifest or "
-                               "Smithsonian document beside one",
-                       .required = true},
-                      {.name = "--id",
-                       .field = &a->id,
-                       .help = "The folder's name: a to z, 0 to 9, _ and -",
-                       .required = true},
-                      {"--shelf", &a->shelf, "The shelf to put it on [the exhibit's]"},
-                      {"--node", &a->node,
-                       "The node that is the vessel, by name or number [all of the file]"},
-                      up_option(a->up)},
-          .run = [a] { return import_vessel(*a); }};
+  return {
+      .name = "import",
+      .help = "Make a vessel's folder from a scan, which you then complete",
+      .examples =
+          "Example: onggi vessel import scan.glb --id moon_jar\n"
+          "It goes onto the exhibit's shelf; visitors see it when you have completed it.\n"
+          "Copyright, licence and credit are taken from the file if it names them.",
+      .options =
+          {{.name = "file",
+            .field = &a->file,
+            .help = "A GLB, glTF, OBJ, PLY or STL file, or a IIIF manifest or "
+                    "Smithsonian document beside one",
+            .required = true},
+           {.name = "--id",
+            .field = &a->id,
+            .help = "The folder's name: a to z, 0 to 9, _ and -",
+            .required = true},
+           {"--shelf", &a->shelf, "The shelf to put it on [the exhibit's]"},
+           {"--node", &a->node, "The node that is the vessel, by name or number [all of the file]"},
+           up_option(a->up),
+           {"--height", &a->height_mm, "The real vessel's height in mm [as the file has it]"},
+           {"--json", &a->json, "Tell what was done as JSON, for programs; - : standard output"}},
+      .run = [a] { return import(*a); }};
 }
 
 }  // namespace onggi::commands
