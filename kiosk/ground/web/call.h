@@ -5,6 +5,7 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
+#include <boost/system/error_code.hpp>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -13,15 +14,18 @@
 #include <string>
 
 #include "kiosk/ground/web/message.h"
+#include "kiosk/ground/web/receiving.h"
 #include "kiosk/ground/web/sending.h"
 
 namespace onggi::web {
 
 /// How long a browser is waited for.
 struct Patience {
-  std::chrono::milliseconds asking{5000};     ///< From the connection to the whole request.
+  std::chrono::milliseconds asking{5000};     ///< From the connection to the whole request, or to
+                                              ///< the head of one whose body goes into a file.
   std::chrono::milliseconds progress{10000};  ///< Without a byte that arrives; also what a download
-                                              ///< has left when its keepsake is deleted.
+                                              ///< has left when its keepsake is deleted. Of a body
+                                              ///< that goes into a file: without a piece of it.
 };
 
 /// A connection over TCP or a Unix socket.
@@ -35,6 +39,8 @@ bool is_from_proxy(const Socket& socket);
 
 /// One connection: a request of at most 8 KiB head and Answering::most_of_a_body(), and its answer;
 /// a longer head or body is told so, and anything else that is no request is closed without a word.
+/// A body may go into a file instead (Answering::place_for_body). Where that is refused, at most
+/// 1 GiB more is taken from the browser and forgotten, because browsers look at the answer last.
 /// Closes itself. Held alive by what it waits for. One thread.
 class Call : public std::enable_shared_from_this<Call> {
  public:
@@ -54,6 +60,13 @@ class Call : public std::enable_shared_from_this<Call> {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void place_body();
+  void read_body();
+  void refuse_unread(boost::system::error_code error);
+  void receive(const IntoFile& into);
+  void receive_on();
+  void refuse_file(const Refusal& refusal);
+  void hear_out();
   void answer();
   void refuse(int status, const std::string& what);
   void send(Answer given, bool content);
@@ -69,9 +82,14 @@ class Call : public std::enable_shared_from_this<Call> {
   Patience patience_;
   std::function<void(Work)> in_turn_;
   Work asked_, closed_;
+  Ask ask_;
+  std::optional<Receiving> receiving_;
   std::optional<Sending> sending_;
-  Clock::time_point moved_{};                   // when a byte was last given or confirmed
-  std::size_t unconfirmed_ = 0;                 // as of then
+  Clock::time_point moved_{};             // when a byte was last given or confirmed, or a
+                                          // piece came
+  std::size_t unconfirmed_ = 0;           // as of then
+  std::uint64_t came_ = 0, counted_ = 0;  // bytes of the body, or of what is heard out; as of then
+  bool hears_out_ = false;                // the rest of the body, when the answer is given
   std::optional<Clock::time_point> deleted_{};  // when the file was first seen to be deleted
 };
 

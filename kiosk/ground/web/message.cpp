@@ -5,6 +5,14 @@
 
 namespace onggi::web {
 
+BodyPlace Answering::place_for_body(const Ask&) { return IntoMemory{}; }
+
+Answer Answering::refusal(int status, const Problem& why) {
+  return {.status = status,
+          .type = "text/plain; charset=utf-8",
+          .body = why.what + ' ' + why.remedy + '\n'};
+}
+
 std::string asked_for(std::string_view target, std::string_view name) {
   const auto mark = std::min(target.find('?'), target.size());
   std::string_view query = target.substr(std::min(mark + 1, target.size()));

@@ -2,18 +2,24 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "kiosk/ground/files/descriptor.h"
 #include "kiosk/ground/web/byte_range.h"
 
 namespace onggi::web {
+
+class ReceivedFile;
 
 /// A browser's request. A field that was not sent is empty.
 struct Ask {
@@ -27,6 +33,9 @@ struct Ask {
   std::string type{};          ///< Content-Type
   std::string if_none_match{};
   std::string body{};
+  std::optional<std::uint64_t> length{};  ///< Content-Length: bytes of the body.
+  /// The body, where it went into a file (IntoFile); whoever answers may keep it or move it away.
+  std::shared_ptr<ReceivedFile> file{};
   std::string from{};  ///< The address that it comes from, "127.0.0.1"; a proxy at a Unix socket
                        ///< says it as X-Real-IP.
 };
@@ -53,6 +62,21 @@ struct Answer {
   std::vector<std::pair<std::string, std::string>> fields{};  ///< Further fields of the head.
 };
 
+/// A body that is short enough for memory, as Ask::body.
+struct IntoMemory {};
+
+/// A body that is written to a file while it arrives, as Ask::file.
+struct IntoFile {
+  std::filesystem::path folder;  ///< Is there already, on the disk where the file shall stay.
+  std::uint64_t most = 0;        ///< Bytes; a longer body is refused before it is read.
+  std::uint64_t reserve = std::uint64_t{1} << 30;  ///< Bytes that stay free on that disk.
+  /// Held as long as the file: a weak_ptr to it tells whoever answers that one is under way.
+  std::shared_ptr<void> ticket{};
+};
+
+/// Where a body goes. An Answer refuses it before it is read: 503 where another one is under way.
+using BodyPlace = std::variant<IntoMemory, IntoFile, Answer>;
+
 /// Whoever answers. Uses no socket. One thread; all wait while it answers.
 class Answering {
  public:
@@ -60,6 +84,10 @@ class Answering {
   virtual Answer to(const Ask& ask) = 0;
   /// The longest body of a request, bytes; a longer one is refused. Asked for once a connection.
   virtual std::size_t most_of_a_body() const { return 1024; }
+  /// Where the body of a request goes. Asked once a request, with all of `head` but its body.
+  virtual BodyPlace place_for_body(const Ask& head);
+  /// The words with which a body does not become a file: `why` says what and what to do.
+  virtual Answer refusal(int status, const Problem& why);
 };
 
 /// The value of `name` in a query: the text after a target's '?'. As it was sent; "" if it is not
