@@ -262,22 +262,34 @@ class StaffWeb(unittest.TestCase):
             alone.wait()
             alone.stdout.close()
 
+    def told(self, field, target="/api/people"):
+        """The answer to a head that promises a body, before anything of the body is sent."""
+        with socket.create_connection((STAFF, self.port), 20) as raw, \
+                self.tls().wrap_socket(raw, server_hostname=STAFF) as link:
+            link.sendall(f"POST {target} HTTP/1.1\r\nHost: {self.at}\r\nConnection: close\r\n{field}\r\n\r\n".encode())
+            answer = b""
+            # The whole answer; the connection stays open a little for what the other side still sends.
+            while b"\n" not in answer.partition(b"\r\n\r\n")[2] and b"}" not in answer and (more := link.recv(4096)):
+                answer += more
+        return answer.decode()
+
     def test_four_gigabytes_are_refused_at_once_in_words(self):
-        def told(field):
-            with socket.create_connection((STAFF, self.port), 20) as raw, \
-                    self.tls().wrap_socket(raw, server_hostname=STAFF) as link:
-                link.sendall(f"POST /api/people HTTP/1.1\r\nHost: {self.at}\r\nConnection: close\r\n{field}\r\n\r\n".encode())
-                answer = b""
-                # The whole answer; the connection stays open a little for what the other side still sends.
-                while b"\n" not in answer.partition(b"\r\n\r\n")[2] and b"}" not in answer and (more := link.recv(4096)):
-                    answer += more
-            return answer.decode()
         begin = time.monotonic()
-        answer = told(f"Content-Length: {4 << 30}")
+        answer = self.told(f"Content-Length: {4 << 30}")
         self.assertLess(time.monotonic() - begin, 2)
         self.assertTrue(answer.startswith("HTTP/1.1 413"), answer)
         self.assertIn("too large", json.loads(answer.partition("\r\n\r\n")[2])["what"])
-        self.assertTrue(told("Transfer-Encoding: chunked").startswith("HTTP/1.1 411"))
+        self.assertTrue(self.told("Transfer-Encoding: chunked").startswith("HTTP/1.1 411"))
+
+    def test_a_scan_of_600_megabytes_reaches_the_page_at_its_own_address_alone(self):
+        length = f"Content-Length: {600 << 20}"
+        # Whatever the page says to it: these are not the web server's words.
+        self.assertNotIn("This scan is too large", self.told(length, "/api/upload?name=scan.glb"))
+        self.assertNotIn("at most 128 KB", self.told(length, "/api/upload"))
+        self.assertIn("at most 600 MB", self.told(f"Content-Length: {(600 << 20) + 1}", "/api/upload"))
+        self.assertIn("Content-Length", self.told("Transfer-Encoding: chunked", "/api/upload"))
+        for other in ("/api/upload/", "/api/uploads", "/", "/api/people?x=/api/upload"):
+            self.assertIn("at most 128 KB", self.told(length, other), other)
 
     def test_the_web_server_takes_what_the_page_takes_and_refuses_what_it_refuses(self):
         for size, good in ((128 << 10, True), ((128 << 10) + 1, False)):
