@@ -9,6 +9,7 @@ onggi_library(TinyGLTF      AT_LEAST 2.7  DEBIAN libtinygltf-dev)         # cont
 onggi_library(meshoptimizer AT_LEAST 0.18 DEBIAN libmeshoptimizer-dev)    # content
 onggi_library(draco         OPTIONAL)  # content: without it Draco meshes are refused by name
 onggi_library(assimp        OPTIONAL)  # content's helper: without it OBJ, PLY and STL are refused by name
+onggi_library(LIBZIP        MODULES libzip AT_LEAST 1.7 DEBIAN libzip-dev)  # archives
 onggi_library(PNG           DEBIAN libpng-dev)                            # textures
 onggi_library(JPEG          DEBIAN libjpeg-dev)                           # textures
 onggi_library(WEBP          MODULES libwebp DEBIAN libwebp-dev)           # textures

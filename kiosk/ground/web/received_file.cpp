@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -65,12 +64,6 @@ Result<void> ReceivedFile::move_to(const fs::path& to) {
     return tl::unexpected(files::disk_problem(to, "write", errno));
   path_.clear();
   return {};
-}
-
-std::uint64_t free_bytes(const fs::path& folder) {
-  struct statvfs disk {};
-  if (::statvfs(folder.c_str(), &disk) != 0) return 0;
-  return std::uint64_t{disk.f_bavail} * disk.f_frsize;
 }
 
 std::size_t remove_abandoned(const fs::path& folder) {

@@ -42,10 +42,6 @@ class ReceivedFile {
   std::uint64_t size_ = 0;
 };
 
-/// Bytes that a user who is not root may still write on the disk of `folder`; 0 where it cannot be
-/// asked.
-std::uint64_t free_bytes(const std::filesystem::path& folder);
-
 /// Removes from `folder` the files of ReceivedFile that a program left when it was killed, and
 /// says how many. A file that a running program has stays. Call it at the start. Any thread.
 std::size_t remove_abandoned(const std::filesystem::path& folder);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "kiosk/ground/files/durable_file.h"
+#include "kiosk/ground/files/free_space.h"
 
 namespace onggi::web {
 
@@ -28,7 +29,7 @@ std::optional<Refusal> refusal_of(const IntoFile& into, std::optional<std::uint6
     return Refusal{413,
                    {"", "This file has " + size_words(*length, true) + ", which is too large.",
                     "Send at most " + size_words(into.most, false) + "."}};
-  const std::uint64_t free = free_bytes(into.folder);
+  const std::uint64_t free = files::free_bytes(into.folder);
   const std::uint64_t room = free - std::min(free, into.reserve);
   if (*length > room)
     return Refusal{507,

@@ -6,12 +6,14 @@
 #include <chrono>
 #include <string>
 
+#include "kiosk/ground/files/free_space.h"
 #include "tests/kiosk/ground/files/disk.h"
 #include "tests/kiosk/ground/web/uploads.h"
 
 namespace onggi::web::call_test {
 namespace {
 
+using files::free_bytes;
 using files::test::content;
 using files::test::names_in;
 using phone::test::hear;
