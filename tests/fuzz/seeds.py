@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Writes what a fuzzer begins with: tests/fuzz/seeds.py document|parts|texture|replay|staff FOLDER (tests/fuzz/run calls it)."""
+"""Writes what a fuzzer begins with: tests/fuzz/seeds.py document|parts|archive|texture|replay|staff FOLDER (tests/fuzz/run calls it)."""
 
 import base64
+import io
 import json
 import os
 import struct
 import sys
+import zipfile
 import zlib
 
 
@@ -28,6 +30,27 @@ def parts():
     """What onggi-mesh answers for two triangles, and a refusal."""
     jar = struct.pack("<4s5I", b"ONGP", 1, 3, 4, 2, 4) + b"jar"
     return [jar + struct.pack("<12f6I", *range(12), 0, 1, 2, 1, 2, 3) + bytes(range(12)), b"ONGEno such face"]
+
+
+def archives():
+    """A scan's folder as Python's zipfile packs it: stored, deflated, with a comment, for large files; and a link."""
+    whole = []
+    for packing, far in ((zipfile.ZIP_STORED, False), (zipfile.ZIP_DEFLATED, True)):
+        out = io.BytesIO()
+        with zipfile.ZipFile(out, "w", packing) as archive:
+            archive.mkdir("jar") if hasattr(archive, "mkdir") else archive.writestr("jar/", b"")
+            with archive.open("jar/scan.gltf", "w", force_zip64=far) as scan:
+                scan.write(b"{}" * 40)
+            archive.writestr("jar/항아리.bin", bytes(300))
+            archive.writestr("__MACOSX/jar/._scan.gltf", b"x")
+            archive.comment = b"from the museum"
+        whole.append(out.getvalue())
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w") as archive:
+        link = zipfile.ZipInfo("link")
+        link.create_system, link.external_attr = 3, 0o120777 << 16
+        archive.writestr(link, "/etc/passwd")
+    return [*whole, out.getvalue()]
 
 
 def textures():
@@ -95,7 +118,7 @@ def staff():
 
 if __name__ == "__main__":
     os.makedirs(sys.argv[2], exist_ok=True)
-    kinds = {"document": documents, "parts": parts, "texture": textures, "replay": replays, "staff": staff}
+    kinds = {"document": documents, "parts": parts, "archive": archives, "texture": textures, "replay": replays, "staff": staff}
     for i, seed in enumerate(kinds[sys.argv[1]]()):
         with open(os.path.join(sys.argv[2], "seed_%d" % i), "wb") as out:
             out.write(seed)

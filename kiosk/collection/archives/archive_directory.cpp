@@ -64,9 +64,7 @@ std::vector<Claim> claims_in(int file, std::uint64_t size) {
     claims.push_back(
         {number(tail, at + 10, 2), number(tail, at + 12, 4), number(tail, at + 16, 4)});
     if (at < kLocatorLength || number(tail, at - kLocatorLength, 4) != kLocator) continue;
-    const std::uint64_t place = number(tail, at - kLocatorLength + 8, 8);
-    if (place >= size) continue;
-    const Bytes far = read_at(file, place, kFarEndLength);
+    const Bytes far = read_at(file, number(tail, at - kLocatorLength + 8, 8), kFarEndLength);
     if (far.size() == kFarEndLength && number(far, 0, 4) == kFarEnd)
       claims.push_back({number(far, 32, 8), number(far, 40, 8), number(far, 48, 8)});
   }

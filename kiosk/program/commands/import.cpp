@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/plain_text.h"
+#include "kiosk/collection/archives/unpack.h"
 #include "kiosk/collection/content/coloring.h"
 #include "kiosk/collection/content/glb.h"
 #include "kiosk/collection/content/glb_packer.h"
@@ -21,6 +22,7 @@
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/files/shared_folder.h"
 #include "kiosk/program/commands/commands.h"
+#include "kiosk/program/commands/scan_archive.h"
 #include "kiosk/program/commands/up_option.h"
 
 namespace fs = std::filesystem;
@@ -33,7 +35,7 @@ using files::Json;
 constexpr double kLeastHeight_mm = 4.0, kMostHeight_mm = 2000.0;  // as the shelf takes
 
 struct ImportArguments {
-  std::string file, id, node, up, shelf;
+  std::string file, id, scan, node, up, shelf;
   double height_mm = 0.0;
   files::Output json{files::Output::Kind::json};
 };
@@ -131,30 +133,21 @@ Result<void> check_height(double height_mm) {
   return problem("--height", "a vessel is 4 to 2000 mm tall.", "Write its height in millimetres.");
 }
 
-/// A vessel that stands on the shelf, and whose label is to be written.
+/// A vessel's folder on the shelf, whose label is to be written.
 struct Imported {
   fs::path folder;
   std::size_t bytes = 0;
   std::vector<std::string> languages, notes;
 };
 
-Result<Imported> import_vessel(const ImportArguments& arguments) {
-  if (auto good = check_id(arguments.id); !good) return tl::unexpected(good.error());
-  const auto place = place_of(arguments.shelf);
-  if (!place) return tl::unexpected(place.error());
-  const fs::path folder = place->shelf / arguments.id;
-  std::error_code ignored;
-  if (fs::exists(folder, ignored))
-    return problem(folder.string(), "the folder exists, so it is not overwritten.",
-                   "Choose another --id, or move the folder away.");
-  content::LoadOptions options;
-  options.node = arguments.node;
-  if (auto good = take_up(arguments.up, options); !good) return tl::unexpected(good.error());
-  if (auto good = check_height(arguments.height_mm); !good) return tl::unexpected(good.error());
-  auto vessel = content::load_vessel(arguments.file, options);
+/// Makes the vessel's folder from the file `scan`.
+Result<Imported> make_folder_of(const fs::path& scan, const fs::path& folder,
+                                const content::LoadOptions& options, double height_mm,
+                                const Place& place) {
+  auto vessel = content::load_vessel(scan, options);
   if (!vessel) return tl::unexpected(vessel.error());
-  if (arguments.height_mm > 0.0) vessel->true_height = arguments.height_mm / 1000.0;
-  const auto glb = glb_of(*vessel, arguments.node.empty());
+  if (height_mm > 0.0) vessel->true_height = height_mm / 1000.0;
+  const auto glb = glb_of(*vessel, options.node.empty());
   if (!glb) return tl::unexpected(glb.error());
 
   const std::string toml = content::pack_toml(*vessel);
@@ -165,21 +158,55 @@ Result<Imported> import_vessel(const ImportArguments& arguments) {
       !good)
     return tl::unexpected(good.error());
   files::share_as_above(folder);
-  return Imported{folder, glb->size(), place->languages, vessel->extracted.warnings};
+  return Imported{folder, glb->size(), place.languages, vessel->extracted.warnings};
+}
+
+/// The same from the scan in an archive.
+Result<Imported> make_folder_of_archive(const ImportArguments& arguments, const fs::path& folder,
+                                        const content::LoadOptions& options, const Place& place) {
+  const auto archive = ScanArchive::open(arguments.file, arguments.scan);
+  if (!archive) return tl::unexpected(archive.error());
+  auto made = make_folder_of(archive->scan(), folder, options, arguments.height_mm, place);
+  if (!made) return tl::unexpected(archive->as_named(made.error()));
+  for (const Problem& note : archive->notes()) made->notes.push_back(note.where + ": " + note.what);
+  return made;
+}
+
+Result<Imported> import_vessel(const ImportArguments& arguments) {
+  if (auto good = check_id(arguments.id); !good) return tl::unexpected(good.error());
+  if (auto good = check_height(arguments.height_mm); !good) return tl::unexpected(good.error());
+  const auto place = place_of(arguments.shelf);
+  if (!place) return tl::unexpected(place.error());
+  const fs::path folder = place->shelf / arguments.id;
+  std::error_code ignored;
+  if (fs::exists(folder, ignored))
+    return problem(folder.string(), "the folder exists, so it is not overwritten.",
+                   "Choose another --id, or move the folder away.");
+  content::LoadOptions options;
+  options.node = arguments.node;
+  if (auto good = take_up(arguments.up, options); !good) return tl::unexpected(good.error());
+  if (archives::is_archive_ending(arguments.file))
+    return make_folder_of_archive(arguments, folder, options, *place);
+  if (!arguments.scan.empty())
+    return problem("--scan " + arguments.scan, "only a zip archive has scans to choose from.",
+                   "Leave --scan out.");
+  return make_folder_of(arguments.file, folder, options, arguments.height_mm, *place);
+}
+
+/// For programs, such as the staff's page.
+Result<int> answer(const files::Output& json, const Result<Imported>& done) {
+  Json out = Json::object({{"done", done.has_value()}});
+  if (!done) {
+    out["what"] = done.error().what;
+    out["remedy"] = done.error().remedy;
+  }
+  if (auto put = json.write(out.text(-1) + "\n"); !put) return tl::unexpected(put.error());
+  return done ? 0 : 2;
 }
 
 Result<int> import(const ImportArguments& arguments) {
   const auto done = import_vessel(arguments);
-  if (arguments.json.wanted()) {
-    Json out = Json::object({{"done", done.has_value()}});
-    if (!done) {
-      out["what"] = done.error().what;
-      out["remedy"] = done.error().remedy;
-    }
-    if (auto put = arguments.json.write(out.text(-1) + "\n"); !put)
-      return tl::unexpected(put.error());
-    return done ? 0 : 2;
-  }
+  if (arguments.json.wanted()) return answer(arguments.json, done);
   if (!done) return tl::unexpected(done.error());
   tell(done->folder, done->bytes, done->languages);
   for (const std::string& note : done->notes)
@@ -196,18 +223,20 @@ cli::Command import_command() {
       .help = "Make a vessel's folder from a scan, which you then complete",
       .examples =
           "Example: onggi vessel import scan.glb --id moon_jar\n"
+          "Example: onggi vessel import jar.zip --id moon_jar --scan jar/scan.obj\n"
           "It goes onto the exhibit's shelf; visitors see it when you have completed it.\n"
           "Copyright, licence and credit are taken from the file if it names them.",
       .options =
           {{.name = "file",
             .field = &a->file,
-            .help = "A GLB, glTF, OBJ, PLY or STL file, or a IIIF manifest or "
-                    "Smithsonian document beside one",
+            .help = "A GLB, glTF, OBJ, PLY or STL file, a IIIF manifest or "
+                    "Smithsonian document beside one, or a zip archive of them",
             .required = true},
            {.name = "--id",
             .field = &a->id,
             .help = "The folder's name: a to z, 0 to 9, _ and -",
             .required = true},
+           {"--scan", &a->scan, "The scan in an archive that has several [the only one]"},
            {"--shelf", &a->shelf, "The shelf to put it on [the exhibit's]"},
            {"--node", &a->node, "The node that is the vessel, by name or number [all of the file]"},
            up_option(a->up),
