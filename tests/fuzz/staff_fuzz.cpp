@@ -60,6 +60,8 @@ struct World {
         .people = std::move(*people),
         .changes = console::ChangeLog(site / "state"),
         .prices = site / "state/prices",
+        .scans = site / "state/scans",
+        .sheets = site / "state/sheets",
         .clock = [] { return std::int64_t{1'780'000'000}; },
         .tell = [](const onggi::Problem&) {}});
     auto door = console::Door::make("staff", site / "state", 1'780'000'000);

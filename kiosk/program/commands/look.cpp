@@ -1,9 +1,13 @@
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/profile/up.h"
+#include "kiosk/collection/archives/unpack.h"
+#include "kiosk/collection/content/scan_folder.h"
 #include "kiosk/collection/content/vessel.h"
 #include "kiosk/ground/files/json.h"
 #include "kiosk/ground/files/output.h"
@@ -15,7 +19,9 @@ namespace onggi::commands {
 
 namespace {
 
+namespace fs = std::filesystem;
 using files::Json;
+constexpr std::size_t kMostScans = 12;
 
 struct LookArguments {
   std::string file;
@@ -37,20 +43,69 @@ Json asked_about(const content::Vessel& vessel) {
   return out;
 }
 
+/// Unpacks an archive that lies in `folder` into a folder beside it, once.
+Result<void> unpack_archives(const fs::path& folder) {
+  std::vector<fs::path> archives;
+  std::error_code gone;
+  for (fs::directory_iterator it(folder, gone), end; !gone && it != end; it.increment(gone))
+    if (archives::is_archive_ending(it->path())) archives.push_back(it->path());
+  for (const fs::path& archive : archives) {
+    const fs::path into = archive.string() + ".unpacked";
+    if (fs::exists(into, gone)) continue;
+    if (auto done = archives::unpack(archive, into); !done) return done;
+  }
+  return {};
+}
+
+/// The vessels of a file, or of all scans in a folder.
+struct Seen {
+  std::vector<content::Vessel> vessels;
+  std::vector<Problem> unusable;
+};
+
+Result<Seen> vessels_in(const fs::path& path) {
+  Seen seen;
+  std::vector<fs::path> scans{path};
+  std::error_code gone;
+  if (fs::is_directory(path, gone)) {
+    if (auto done = unpack_archives(path); !done) return tl::unexpected(done.error());
+    const content::FolderScans found = content::scans_in(path);
+    scans.clear();
+    for (const fs::path& scan : found.offered()) scans.push_back(path / scan);
+    seen.unusable = found.unusable;
+    if (scans.size() > kMostScans)
+      return problem(path.string(), "There are more than 12 scans.", "Send fewer at once.");
+  }
+  for (const fs::path& scan : scans) {
+    auto vessels = content::load_vessels(scan);
+    if (!vessels)
+      seen.unusable.push_back(vessels.error());
+    else
+      std::ranges::move(*vessels, std::back_inserter(seen.vessels));
+  }
+  if (!seen.vessels.empty()) return seen;
+  if (!seen.unusable.empty()) return tl::unexpected(seen.unusable.front());
+  return problem(path.string(), "There is no scan in it.",
+                 "Send a GLB, glTF, OBJ, PLY or STL file with all that belongs to it, or a zip.");
+}
+
 Result<int> look(const LookArguments& arguments) {
-  const auto vessels = content::load_vessels(arguments.file);
-  Json out = Json::object({{"done", vessels.has_value()}});
-  if (vessels) {
-    Json list = Json::list();
-    for (const content::Vessel& vessel : *vessels) list.push_back(asked_about(vessel));
+  const auto seen = vessels_in(arguments.file);
+  Json out = Json::object({{"done", seen.has_value()}});
+  if (seen) {
+    Json list = Json::list(), notes = Json::list();
+    for (const content::Vessel& vessel : seen->vessels) list.push_back(asked_about(vessel));
+    for (const Problem& note : seen->unusable)
+      notes.push_back(fs::path(note.where).filename().string() + ": " + note.what);
     out["vessels"] = list;
+    out["notes"] = notes;
   } else {
-    out["what"] = vessels.error().what;
-    out["remedy"] = vessels.error().remedy;
+    out["what"] = seen.error().what;
+    out["remedy"] = seen.error().remedy;
   }
   if (auto put = arguments.json.write(out.text(-1) + "\n"); !put)
     return tl::unexpected(put.error());
-  return vessels ? 0 : 2;
+  return seen ? 0 : 2;
 }
 
 }  // namespace
@@ -62,7 +117,7 @@ cli::Command look_command() {
           .examples = "Example: onggi vessel look scan.glb",
           .options = {{.name = "file",
                        .field = &a->file,
-                       .help = "A scan, as for onggi vessel import",
+                       .help = "A scan, or a folder with scans; archives in it are unpacked there",
                        .required = true},
                       {"--json", &a->json, "Write it into this file [standard output]"}},
           .run = [a] { return look(*a); }};

@@ -307,6 +307,8 @@ onggi::Result<int> serve_staff(const Arguments& a) {
                                .people = std::move(*people),
                                .changes = console::ChangeLog(state),
                                .prices = state / "prices",
+                               .scans = state / "scans",
+                               .sheets = state / "sheets",
                                .clock = clock});
   const auto server = listen_at(*listening, staff);
   if (!server) return tl::unexpected(server.error());

@@ -79,6 +79,10 @@ web::Answer EditAnswers::file(const web::Ask& ask, const std::string& name) {
   Json out = Json::object({{"file", edited->path().string()}, {"tag", changes::tag_of(*text)}});
   out["languages"] = Json::list_of(language_codes(files::language_folder(site_.file())));
   out["fields"] = fields::json_of(edited->fields());
+  Json gaps = Json::list();
+  for (const ChangeFault& gap : edited->gaps(*text))
+    gaps.push_back(Json::object({{"key", gap.key}, {"what", gap.what}}));
+  out["gaps"] = gaps;
   std::string all = out.text(-1);
   all.insert(all.size() - 1, ",\"values\":" + values.value_or("{}"));
   return json(ask, all);
@@ -203,9 +207,25 @@ web::Answer EditAnswers::shelf(const web::Ask& ask) {
     list.push_back(Json::object({{"id", one.id},
                                  {"titles", titles},
                                  {"hidden", hidden},
+                                 {"outline", !one.pack.drawing.empty()},
                                  {"unfinished", one.pack.unfinished}}));
   }
   return json(ask, list.text(-1));
+}
+
+web::Answer EditAnswers::sheet(const web::Ask& ask, const std::string& id) {
+  const auto vessel = EditedFile::find(site_, "vessel/" + id);
+  if (!vessel) return no_such_file();
+  const VesselSheets::Sheet sheet = sheets_.of(vessel->path().parent_path());
+  if (sheet.png.empty()) {
+    if (!sheet.trouble.empty()) return refused(409, sheet.trouble, "Look at Files.");
+    web::Answer answer = json(Json::object({{"drawing", true}}));
+    answer.status = 202;
+    return answer;
+  }
+  web::Answer answer = json(ask, sheet.png);
+  if (answer.status == 200) answer.type = "image/png";
+  return answer;
 }
 
 web::Answer EditAnswers::outline(const web::Ask& ask, const std::string& id) {

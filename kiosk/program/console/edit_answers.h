@@ -13,6 +13,7 @@
 #include "kiosk/program/console/edited_file.h"
 #include "kiosk/program/console/onggi_process.h"
 #include "kiosk/program/console/site.h"
+#include "kiosk/program/console/vessel_sheets.h"
 
 namespace onggi::console {
 
@@ -21,9 +22,12 @@ namespace onggi::console {
 class EditAnswers {
  public:
   /// `site` stays with the caller. `onggi`: the program that writes.
-  EditAnswers(Site& site, std::filesystem::path onggi) : site_(site), saver_(std::move(onggi)) {}
+  /// `sheets`: a folder for drawn sheets.
+  EditAnswers(Site& site, const std::filesystem::path& onggi, std::filesystem::path sheets)
+      : site_(site), saver_(onggi), sheets_(onggi, std::move(sheets)) {}
 
-  /// {file, tag, values: all of its TOML, fields, languages: codes of those that there are}
+  /// {file, tag, values: all of its TOML, fields, languages: codes of those that there are, gaps:
+  /// [{key, what}] that its reader finds}
   web::Answer file(const web::Ask& ask, const std::string& name);
   /// `body`: {changes: [[key, value], ...]}; {faults: [{key, what, remedy}]}
   web::Answer check(const std::string& name, const std::string& body);
@@ -39,8 +43,10 @@ class EditAnswers {
   static constexpr std::size_t kRemembered = 16;
   /// The changes that can be taken back, newest first: [{id, when, file, words}]
   web::Answer revisions(const web::Ask& ask);
-  /// The shelf in its order: [{id, titles: by language, hidden, unfinished}]
+  /// The shelf in its order: [{id, titles: by language, hidden, unfinished, outline: it is drawn}]
   web::Answer shelf(const web::Ask& ask);
+  /// The sheet of the vessel `id`, a PNG; 202 with JSON while it is drawn.
+  web::Answer sheet(const web::Ask& ask, const std::string& id);
   /// The vessel `id` from the side, as it was drawn; 404 where there is no drawing.
   web::Answer outline(const web::Ask& ask, const std::string& id);
   /// A change is being made.
@@ -53,6 +59,7 @@ class EditAnswers {
 
   Site& site_;
   OnggiProcess saver_;
+  VesselSheets sheets_;
   int number_ = 0;
   std::map<int, std::string> said_;  ///< By number.
   ChangeLog::Change note_;

@@ -268,10 +268,28 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
   return out;
 }
 
+std::vector<ChangeFault> EditedFile::gaps(const std::string& text) const {
+  std::vector<ChangeFault> out;
+  const toml::TomlPlaces places(text);
+  for (const Problem& problem : reader_(path_, languages_)) {
+    std::string key = missing_key(text, problem);
+    for (const toml::TomlPlaces::Value& value : places.values()) {
+      if (!key.empty()) break;
+      const auto end = text.begin() + static_cast<std::ptrdiff_t>(value.begin);
+      const std::string line =
+          path_.string() + ':' + std::to_string(1 + std::count(text.begin(), end, '\n')) + ':';
+      if (problem.where.starts_with(line)) key = toml::key_text(value.path);
+    }
+    if (!key.empty()) out.push_back({key, problem.what, problem.remedy});
+  }
+  return out;
+}
+
 std::string EditedFile::missing_key(const std::string& text, const Problem& problem) const {
   // "label.en.culture is missing.", "attract.begin is missing." of [text]
   toml::Path first = toml::path_of(problem.what.substr(0, problem.what.find(' ')));
-  if (problem.what.ends_with(" is missing.") && first.size() > 1) {
+  if (problem.what.starts_with("the true size is missing")) return "true_height_mm";
+  if (problem.what.ends_with(" is missing.") && !first.empty()) {
     if (fields::find_field(list_, first) != nullptr) return toml::key_text(first);
     first.insert(first.begin(), "text");
     if (fields::find_field(list_, first) != nullptr) return toml::key_text(first);

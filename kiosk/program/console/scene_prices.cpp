@@ -1,17 +1,16 @@
 #include "kiosk/program/console/scene_prices.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <vector>
 
 #include "engine/math/hash.h"
 #include "kiosk/exhibit/tuning/machine.h"
 #include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/read_file.h"
 #include "kiosk/ground/toml/toml_text.h"
+#include "kiosk/program/console/kept_files.h"
 
 namespace onggi::console {
 
@@ -23,16 +22,6 @@ constexpr std::size_t kLargest = 1u << 16;  // bytes: two dozen effects and opti
 bool has_prices(const std::string& json) {
   const auto read = nlohmann::json::parse(json, nullptr, false);
   return read.is_object() && read.contains("whole_us");
-}
-
-/// Removes the oldest files of `folder` but `most`.
-void tidy(const fs::path& folder, std::size_t most) {
-  std::vector<std::pair<fs::file_time_type, fs::path>> all;
-  std::error_code gone;
-  for (fs::directory_iterator it(folder, gone), end; !gone && it != end; it.increment(gone))
-    all.emplace_back(it->last_write_time(gone), it->path());
-  std::ranges::sort(all, std::ranges::greater{});
-  for (std::size_t n = most; n < all.size(); ++n) fs::remove(all[n].second, gone);
 }
 
 }  // namespace
@@ -66,7 +55,7 @@ void ScenePrices::take() {
     trouble_ = to_text(put.error());
     return;
   }
-  tidy(folder_, kKept);
+  keep_newest(folder_, kKept);
 }
 
 std::optional<std::string> ScenePrices::of(const fs::path& file, const std::string& text,

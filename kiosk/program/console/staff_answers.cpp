@@ -38,6 +38,7 @@ const PageFile kPageFiles[] = {{"/base.js", kScript, k_base_js},
                                {"/edit.js", kScript, k_edit_js},
                                {"/settings.js", kScript, k_settings_js},
                                {"/shelf.js", kScript, k_shelf_js},
+                               {"/scan.js", kScript, k_scan_js},
                                {"/lists.js", kScript, k_lists_js},
                                {"/scenes.js", kScript, k_scenes_js},
                                {"/words.js", kScript, k_words_js},
@@ -50,35 +51,74 @@ const PageFile kPageFiles[] = {{"/base.js", kScript, k_base_js},
 const char* const kEdit = "/api/edit/";
 const char* const kPrices = "/api/prices/";
 
+const char* const kScan = "/api/scan";
+const char* const kSheet = "/sheet/";
+constexpr const char* kFile = "application/octet-stream";
+
+bool is_read(const web::Ask& ask) { return ask.method == "GET" || ask.method == "HEAD"; }
+
+/// True of a file of a scan.
+bool brings_file(const web::Ask& ask) {
+  return ask.method == "POST" && ask.target.substr(0, ask.target.find('?')) == "/api/upload";
+}
+
 bool is_of_files(const std::string& path) {
-  return path.starts_with(kEdit) || path.starts_with(kPrices) || path == "/api/scenes" ||
-         path == "/api/shelf" || path == "/api/revisions" || path == "/api/saved" ||
-         path == "/api/undo";
+  return path.starts_with(kScan) || path.starts_with("/api/upload") || path.starts_with(kEdit) ||
+         path.starts_with(kPrices) || path == "/api/scenes" || path == "/api/shelf" ||
+         path == "/api/revisions" || path == "/api/saved" || path == "/api/undo";
 }
 
 web::Answer not_an_editor() { return refused(403, "This is for editors.", "Ask one of them."); }
 
 }  // namespace
 
-web::Answer StaffAnswers::to(const web::Ask& ask) {
+/// Why it is not looked at, whoever asks.
+std::optional<web::Answer> StaffAnswers::refused_at_once(const web::Ask& ask) const {
   if (std::ranges::find(hosts_, ask.host) == hosts_.end())
-    return {.status = 421,
-            .type = "text/plain; charset=utf-8",
-            .body =
-                "This page is not served under this name. Use the address that onggi-console "
-                "printed.\n"};
+    return web::Answer{
+        .status = 421,
+        .type = "text/plain; charset=utf-8",
+        .body =
+            "This page is not served under this name. Use the address that onggi-console "
+            "printed.\n"};
+  if (is_read(ask)) return std::nullopt;
+  if (ask.method != "POST") return refused(405, "This cannot be done here.", "Use the page.");
+  // Another site can send a form here, but neither of these.
+  if (ask.origin != scheme_ + ask.host)
+    return refused(403, "This came from another page.", "Use the page itself.");
+  if (!(brings_file(ask) ? ask.type == kFile : ask.type.starts_with("application/json")))
+    return refused(415, "Changes are sent as JSON, and files as they are.", "Use the page itself.");
+  return std::nullopt;
+}
+
+/// Who asks; none where nobody has come in.
+std::optional<Session> StaffAnswers::session_of(const web::Ask& ask, bool by_itself) {
+  const Session* session = door_->session_of(ask, parts_.clock(), by_itself);
+  if (session == nullptr) return std::nullopt;
+  // Another program may have changed that, or a hand with an editor.
+  if (session->who != Session::kByCode && parts_.people.role_now(session->who) != session->role) {
+    door_->end_all_of(std::string(session->who));
+    return std::nullopt;
+  }
+  return *session;  // a copy: what is done may end it
+}
+
+web::BodyPlace StaffAnswers::place_for_body(const web::Ask& head) {
+  if (!brings_file(head)) return web::IntoMemory{};
+  if (auto no = refused_at_once(head)) return std::move(*no);
+  const auto session = session_of(head, false);
+  if (!session) return outside(head);
+  if (session->role != Role::editor) return not_an_editor();
+  return scans_.place_for_file();
+}
+
+web::Answer StaffAnswers::to(const web::Ask& ask) {
+  if (auto no = refused_at_once(ask)) return std::move(*no);
   note_ended();
-  const bool reads = ask.method == "GET" || ask.method == "HEAD";
+  const bool reads = is_read(ask);
   if (reads)
     for (const auto& [name, type, text] : kPageFiles)
       if (ask.target == name) return {.status = 200, .type = type, .body = text};
-  if (!reads && ask.method != "POST")
-    return refused(405, "This cannot be done here.", "Use the page.");
-  // Another site can send a form here, but neither of these.
-  if (!reads && ask.origin != scheme_ + ask.host)
-    return refused(403, "This came from another page.", "Use the page itself.");
-  if (!reads && !ask.type.starts_with("application/json"))
-    return refused(415, "Changes are sent as JSON.", "Use the page itself.");
   if (ask.method == "GET" && ask.target.starts_with("/?code=")) {
     const std::string code = web::asked_for(ask.target, "code");
     std::string cookie = door_->enter(code, parts_.clock());
@@ -90,16 +130,9 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
   }
   // What the page asks by itself does not say that somebody is here.
   const bool by_itself = reads && web::asked_for(ask.target, "alone") == "1";
-  const Session* session = door_->session_of(ask, parts_.clock(), by_itself);
-  if (session == nullptr) return outside(ask);
-  // Another program may have changed that, or a hand with an editor.
-  if (session->who != Session::kByCode && parts_.people.role_now(session->who) != session->role) {
-    door_->end_all_of(std::string(session->who));
-    return outside(ask);
-  }
-  // What is done may end it.
-  const Session copy = *session;
-  return reads ? get(ask, copy) : post(ask, copy);
+  const auto session = session_of(ask, by_itself);
+  if (!session) return outside(ask);
+  return reads ? get(ask, *session) : post(ask, *session);
 }
 
 /// By the kiosk, to whoever held a corner of it. Only until somebody has a name, and once.
@@ -283,6 +316,9 @@ web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path)
   if (path == "/api/shelf") return edit_.shelf(ask);
   if (path == "/api/revisions") return edit_.revisions(ask);
   if (path == "/api/saved") return edit_.saved(ask);
+  if (path == kScan) return scans_.state(ask);
+  if (path.starts_with(kSheet))
+    return edit_.sheet(ask, decoded(path.substr(std::string_view(kSheet).size())));
   if (path == "/api/scenes") return scenes_.scenes(ask);
   if (path.starts_with(kPrices))
     return scenes_.prices(ask, decoded(path.substr(std::string_view(kPrices).size())));
@@ -293,6 +329,10 @@ web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path)
 
 web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session) {
   if (ask.target == "/api/undo") return edit_.undo(ask, session.who, parts_.clock());
+  if (brings_file(ask)) return scans_.took(ask);
+  if (ask.target.starts_with(std::string(kScan) + '/'))
+    return scans_.act(ask.target.substr(std::string_view(kScan).size() + 1), ask, session.who,
+                      parts_.clock());
   if (ask.target.starts_with(kPrices))
     return scenes_.measure(decoded(ask.target.substr(std::string_view(kPrices).size())));
   const std::size_t last = ask.target.rfind('/'), first = std::string_view(kEdit).size();
@@ -305,8 +345,9 @@ web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session)
 }
 
 void StaffAnswers::note_ended() {
-  if (const auto change = edit_.ended())
-    if (auto added = parts_.changes.add(*change); !added) parts_.tell(added.error());
+  for (const auto& change : {edit_.ended(), scans_.ended()})
+    if (change)
+      if (auto added = parts_.changes.add(*change); !added) parts_.tell(added.error());
 }
 
 void StaffAnswers::end() {

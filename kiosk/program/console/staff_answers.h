@@ -21,6 +21,7 @@
 #include "kiosk/program/console/file_check.h"
 #include "kiosk/program/console/patience.h"
 #include "kiosk/program/console/people.h"
+#include "kiosk/program/console/scan_answers.h"
 #include "kiosk/program/console/scene_answers.h"
 #include "kiosk/program/console/site.h"
 
@@ -51,14 +52,19 @@ namespace onggi::console {
 ///   POST /api/undo           (e) {id, forget}: begins to take back the newest
 ///   GET  /api/shelf          (e) the vessels in their order
 ///   GET  /outline/ID             one of them from the side
+///   GET  /sheet/ID           (e) section and view of it, drawn
 ///   GET  /api/scenes         (e) the scenes: what each is for, who plays it
 ///   GET  /api/prices/NAME    (e) what its effects cost on this machine
 ///   POST /api/prices/NAME    (e) measures that anew
-///   GET  /api/people         (e) names and roles
-///   POST /api/people         (e) {name, role, passphrase}: adds or changes somebody
-///   POST /api/people/NAME/remove (e)
-///   GET  /api/changes        (e) who changed what, newest first
-/// A POST needs a JSON body, and the page's own address as its Origin. A Host that is not one of
+///   POST /api/upload?name=&first=1   (e) a file of a scan, as it is
+///   GET  /api/scan           (e) what has arrived, and what is in it
+///   POST /api/scan/look      (e) begins to read it
+///   POST /api/scan/place     (e) {vessel, id, turned_over, height_mm}: begins to put it on the
+///   shelf POST /api/scan/forget    (e) deletes what has arrived GET  /api/people         (e) names
+///   and roles POST /api/people         (e) {name, role, passphrase}: adds or changes somebody POST
+///   /api/people/NAME/remove (e) GET  /api/changes        (e) who changed what, newest first
+/// A POST needs a JSON body (a file: application/octet-stream), and the page's own address as its
+/// Origin. A Host that is not one of
 /// the program's is refused, so that no other site's name can lead here. One thread.
 class StaffAnswers final : public web::Answering {
  public:
@@ -69,7 +75,9 @@ class StaffAnswers final : public web::Answering {
     std::filesystem::path onggi;  ///< The program that changes files.
     People people;
     ChangeLog changes;
-    std::filesystem::path prices;         ///< A folder for what scenes cost.
+    std::filesystem::path prices;         ///< A folder for what scenes cost,
+    std::filesystem::path scans;          ///< one for scans on their way to the shelf,
+    std::filesystem::path sheets;         ///< and one for the drawn sheets of vessels.
     std::function<std::int64_t()> clock;  ///< s since 1970.
     /// Gets what the staff should know of a file.
     std::function<void(const Problem&)> tell = files::log_problem;
@@ -78,8 +86,9 @@ class StaffAnswers final : public web::Answering {
   explicit StaffAnswers(Parts parts)
       : parts_(std::move(parts)),
         desk_(parts_.site, parts_.tell),
-        edit_(parts_.site, parts_.onggi),
+        edit_(parts_.site, parts_.onggi, parts_.sheets),
         scenes_(parts_.site, ScenePrices(parts_.onggi, parts_.prices)),
+        scans_(parts_.site, ScanInbox(parts_.onggi, parts_.scans)),
         notice_(parts_.site.exhibit().keepsake.folder) {}
   StaffAnswers(const StaffAnswers&) = delete;
   StaffAnswers& operator=(const StaffAnswers&) = delete;
@@ -94,6 +103,8 @@ class StaffAnswers final : public web::Answering {
   }
 
   web::Answer to(const web::Ask& ask) override;
+  /// A scan's file goes to the disk, and only from an editor.
+  web::BodyPlace place_for_body(const web::Ask& head) override;
   /// A label in twelve languages.
   std::size_t most_of_a_body() const override { return 128u << 10; }
   /// After open().
@@ -104,6 +115,8 @@ class StaffAnswers final : public web::Answering {
   void end();
 
  private:
+  std::optional<web::Answer> refused_at_once(const web::Ask& ask) const;
+  std::optional<Session> session_of(const web::Ask& ask, bool by_itself);
   bool shown_on_screen(const std::string& code);
   void tell_kiosk();
   web::Answer outside(const web::Ask& ask);
@@ -127,6 +140,7 @@ class StaffAnswers final : public web::Answering {
   DeskAnswers desk_;
   EditAnswers edit_;
   SceneAnswers scenes_;
+  ScanAnswers scans_;
   std::optional<Door> door_;
   std::vector<std::string> hosts_;
   souvenir::StaffNotice notice_;

@@ -11,6 +11,7 @@ extern const char* const k_edit_js;
 extern const char* const k_settings_js;
 extern const char* const k_shelf_js;
 extern const char* const k_lists_js;
+extern const char* const k_scan_js;
 extern const char* const k_scenes_js;
 extern const char* const k_words_js;
 extern const char* const k_staff_js;

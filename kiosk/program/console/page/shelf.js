@@ -23,8 +23,7 @@ function drawShelf() {
     const label = made("button", { type: "button", className: "quiet" }, "Label");
     label.setAttribute("aria-label", "Label: " + title);
     label.addEventListener("click", () => openLabel(vessel));
-    const picture = made("img", { src: "/outline/" + encodeURIComponent(vessel.id), alt: "", width: 56, height: 56, draggable: false });
-    picture.addEventListener("error", () => { picture.style.visibility = "hidden"; });
+    const picture = vessel.outline ? made("img", { src: "/outline/" + encodeURIComponent(vessel.id), alt: "", width: 56, height: 56, draggable: false }) : made("span", { className: "noimage" });
     const item = made("li", { draggable: true }, made("span", { className: "grip" }, "⠿"), picture,
       made("div", { className: "title" }, made("h3", { dir: "auto" }, title), made("p", { className: "small" },
         vessel.id + (vessel.unfinished ? ". Unfinished: visitors do not see it yet." : ""))),
@@ -48,6 +47,7 @@ async function showShelf() {
     vessels = await waiting($("shelf-words"), "Reading…", ask("/api/shelf"));
     await shelfEdit.load();
     if ($("shelf-words").textContent === "Reading…") $("shelf-words").replaceChildren();
+    if (!$("scan-body").firstChild) showScan(); // one that was begun
   } catch (error) {
     tell($("shelf-words"), error);
   }
@@ -73,6 +73,7 @@ async function openLabel(vessel) {
   labelVessel = vessel;
   labelEdit = edit;
   $("label-title").textContent = titleOf(vessel);
+  $("label-sheet").open = false;
   edit.say("");
   const offered = shelfEdit.file.values.languages ?? ["en", "ko"];
   // A label comes before its language is offered, too.
@@ -82,7 +83,7 @@ async function openLabel(vessel) {
   try {
     await edit.load();
     edits.push(edit);
-    $("shelf-form").hidden = true;
+    $("shelf-all").hidden = true;
     $("label").hidden = false;
     $("label-title").focus();
     scrollTo(0, 0);
@@ -119,9 +120,32 @@ function drawLabel(edit) {
   }));
   const about = Object.keys(ABOUT).map((key) => edit.fields.find((field) => field.table === "" && field.key === key)).filter(Boolean);
   $("label-about").replaceChildren(...about.map((field) => fieldRow(edit, field.key, field, { label: ABOUT[field.key], help: "", lines: { source: 4, credit: 2, licence: 2, institution: 2, glazes: 2 }[field.key] ?? 0 })));
+  // What a whole label has besides.
+  for (const { key, what } of edit.file.gaps ?? []) {
+    const row = document.getElementById(`field-${edit.name.replace(/\W/g, "-")}-${key.replace(/\W/g, "-")}-said`);
+    if (row && !edit.changes.has(key)) row.replaceChildren(made("strong", { className: "gap" }, atItsField({ key, what, remedy: "" })[0].replace("This is missing", "Still to be written").replace(/^./, (first) => first.toUpperCase())), " ", row.textContent);
+  }
   const gaps = languages.filter((code) => !edit.now(`label.${code}.title`));
   $("label-gaps").textContent = gaps.length === 0 ? "" : "Still without a label: " + gaps.map(languageName).join(", ") + ".";
 }
+/** The drawn sheet, when somebody wants to see it; it takes a moment. */
+async function showSheet() {
+  const edit = labelEdit, of = labelVessel.id, place = $("label-sheet-body");
+  place.replaceChildren();
+  for (let seconds = 0; $("label-sheet").open && edit === labelEdit; ++seconds) {
+    try {
+      const answer = await fetch("/sheet/" + encodeURIComponent(of));
+      if (answer.status === 200) return place.replaceChildren(made("img", { src: answer.url, alt: "Section and view of the vessel, with its figures", className: "plot" }));
+      const said = await answer.json();
+      if (!said.drawing) return tell(place, Object.assign(new Error(said.what), { remedy: said.remedy }));
+    } catch {
+      return place.replaceChildren("It cannot be shown.");
+    }
+    place.replaceChildren(`Drawing it… (${seconds} s)`);
+    await new Promise((done) => setTimeout(done, 1000));
+  }
+}
+$("label-sheet").addEventListener("toggle", () => { if ($("label-sheet").open && labelEdit) showSheet(); });
 $("label-beside").addEventListener("change", () => { labelEdit.redraw(); labelEdit.check(); });
 $("label-form").addEventListener("submit", (event) => { event.preventDefault(); labelEdit.save(); });
 $("label-forget").addEventListener("click", () => labelEdit.forget());
@@ -133,6 +157,6 @@ $("label-close").addEventListener("click", () => {
   edits.splice(edits.indexOf(labelEdit), 1);
   labelEdit = null;
   $("label").hidden = true;
-  $("shelf-form").hidden = false;
+  $("shelf-all").hidden = false;
   showShelf().then(() => document.querySelector(`#shelf-list [data-id="${labelVessel.id}"] button`)?.focus());
 });

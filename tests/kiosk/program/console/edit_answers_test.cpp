@@ -72,7 +72,7 @@ class EditPage : public ::testing::Test {
 
   editing::test::SmallSite folder_;
   Site site_ = *Site::open(folder_.path());
-  EditAnswers edit_{site_, folder_ / "onggi"};
+  EditAnswers edit_{site_, folder_ / "onggi", folder_ / "state/sheets"};
 };
 
 TEST_F(EditPage, AFileIsGivenWithItsValuesItsTagAndTheKeysThatMayBeChangedHere) {

@@ -53,6 +53,8 @@ class StaffPage : public ::testing::Test {
                             .people = std::move(*people),
                             .changes = ChangeLog(state_),
                             .prices = state_ / "prices",
+                            .scans = state_ / "scans",
+                            .sheets = state_ / "sheets",
                             .clock = [this] { return now_; }});
     auto door = Door::make("staff", state_, now_);
     ASSERT_TRUE(door);

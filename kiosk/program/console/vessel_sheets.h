@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "kiosk/program/console/onggi_process.h"
+
+namespace onggi::console {
+
+/// The sheets of vessels: section and view, as archaeologists draw them. `onggi vessel inspect`
+/// draws one in a process of its own; the newest are kept. One thread; never waits for a drawing.
+class VesselSheets {
+ public:
+  static constexpr std::size_t kKept = 40;  ///< Of about 200 kB.
+
+  /// `onggi`: the program beside this one. `folder`: of its own; made when it is needed.
+  VesselSheets(std::filesystem::path onggi, std::filesystem::path folder)
+      : drawing_(std::move(onggi)), folder_(std::move(folder)) {}
+
+  struct Sheet {
+    std::string png;      ///< Its bytes; "": not there yet.
+    std::string trouble;  ///< Why it will not be; "": it is being drawn, or waits for another.
+  };
+  /// The sheet of the vessel in the folder `vessel`, as its files are now.
+  Sheet of(const std::filesystem::path& vessel);
+
+ private:
+  void take();
+
+  OnggiProcess drawing_;
+  std::filesystem::path folder_, wanted_;  // wanted_: the file that is being drawn
+  std::filesystem::path failed_;
+  std::string trouble_;
+};
+
+}  // namespace onggi::console
