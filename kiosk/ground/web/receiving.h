@@ -20,7 +20,9 @@ struct Refusal {
 };
 
 /// A body on its way from a socket into a file. One piece of it is in this process at a time. A
-/// piece goes into the disk's cache, in microseconds, so nobody waits long for it. One thread.
+/// piece goes into the system's cache in a fraction of a millisecond, and all others have their
+/// turn before the next one; only where the disk lags far behind does the system hold the writer
+/// back. One thread.
 class Receiving {
  public:
   /// Bytes of one step(), at most: phones take turns.

@@ -131,7 +131,7 @@ TEST(ReceivingProcess, TwoHundredMegabytesTakeAFewOfMemoryAndNobodyElseWaits) {
   std::atomic<bool> over{false};
   std::thread browser([&heard, &seconds, &over, at = port] {
     const auto begin = Clock::now();
-    PhoneConnection own(at, "127.0.0.2");
+    PhoneConnection own(at);
     if (own.say(test::file_head(std::uint64_t{kMegabytes} << 20)) &&
         test::say_megabytes(own, kMegabytes))
       heard = own.to_the_end();
