@@ -7,7 +7,8 @@ cli::Command vessel_command() {
       .name = "vessel",
       .help = "Make a vessel from a drawing, decorate or measure one, or put a scan on the shelf",
       .examples = "Example: onggi vessel make content/vessels/moon_jar/profile.toml -o vessel.glb",
-      .commands = {make_command(), decorate_command(), inspect_command(), look_command(), import_command()}};
+      .commands = {make_command(), decorate_command(), inspect_command(), look_command(),
+                   import_command()}};
 }
 
 }  // namespace onggi::commands

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -48,11 +49,11 @@ const PageFile kPageFiles[] = {{"/base.js", kScript, k_base_js},
                                {"/staff.css", "text/css; charset=utf-8", k_staff_css},
                                {"/staff.svg", "image/svg+xml", k_staff_svg}};
 
-const char* const kEdit = "/api/edit/";
-const char* const kPrices = "/api/prices/";
+constexpr const char* kEdit = "/api/edit/";
+constexpr const char* kPrices = "/api/prices/";
 
-const char* const kScan = "/api/scan";
-const char* const kSheet = "/sheet/";
+constexpr const char* kScan = "/api/scan";
+constexpr const char* kSheet = "/sheet/";
 constexpr const char* kFile = "application/octet-stream";
 
 bool is_read(const web::Ask& ask) { return ask.method == "GET" || ask.method == "HEAD"; }
@@ -62,10 +63,14 @@ bool brings_file(const web::Ask& ask) {
   return ask.method == "POST" && ask.target.substr(0, ask.target.find('?')) == "/api/upload";
 }
 
-bool is_of_files(const std::string& path) {
-  return path.starts_with(kScan) || path.starts_with("/api/upload") || path.starts_with(kEdit) ||
-         path.starts_with(kPrices) || path == "/api/scenes" || path == "/api/shelf" ||
-         path == "/api/revisions" || path == "/api/saved" || path == "/api/undo";
+/// True of what editors alone see and do.
+bool is_of_editors(const std::string& path) {
+  constexpr const char* kEditorsFolders[] = {kScan, "/api/upload", kEdit, kPrices, kSheet};
+  constexpr const char* kEditorsOwn[] = {"/api/scenes", "/api/shelf", "/api/revisions",
+                                         "/api/saved", "/api/undo"};
+  return std::ranges::any_of(kEditorsFolders,
+                             [&](const char* one) { return path.starts_with(one); }) ||
+         std::ranges::find(kEditorsOwn, path) != std::end(kEditorsOwn);
 }
 
 web::Answer not_an_editor() { return refused(403, "This is for editors.", "Ask one of them."); }
@@ -111,6 +116,8 @@ web::BodyPlace StaffAnswers::place_for_body(const web::Ask& head) {
   if (session->role != Role::editor) return not_an_editor();
   return scans_.place_for_file();
 }
+
+web::Answer StaffAnswers::refusal(int status, const Problem& why) { return refused(status, why); }
 
 web::Answer StaffAnswers::to(const web::Ask& ask) {
   if (auto no = refused_at_once(ask)) return std::move(*no);
@@ -205,9 +212,9 @@ web::Answer StaffAnswers::get(const web::Ask& ask, const Session& session) {
   if (parts.size() == 3 && parts[0] == "keepsake") return desk_.picture(ask, parts[1], parts[2]);
   if (parts.size() == 2 && parts[0] == "outline") return edit_.outline(ask, decoded(parts[1]));
   if (parts.size() == 2 && parts[0] == "print") return desk_.print_page(parts[1]);
-  if (path == "/api/people" || path == "/api/changes" || is_of_files(path)) {
+  if (path == "/api/people" || path == "/api/changes" || is_of_editors(path)) {
     if (session.role != Role::editor) return not_an_editor();
-    if (is_of_files(path)) return get_edit(ask, path);
+    if (is_of_editors(path)) return get_edit(ask, path);
     return path == "/api/people" ? people() : changes();
   }
   if (path.starts_with("/api/"))
@@ -232,7 +239,7 @@ web::Answer StaffAnswers::post(const web::Ask& ask, const Session& session) {
     if (parts[3] == "delete")
       return noted(desk_.remove(parts[2]), ask, session, "deleted keepsake", parts[2]);
   }
-  if (is_of_files(ask.target))
+  if (is_of_editors(ask.target))
     return session.role == Role::editor ? post_edit(ask, session) : not_an_editor();
   if (parts.size() >= 2 && parts[0] == "api" && parts[1] == "people")
     return session.role == Role::editor ? post_people(ask, session) : not_an_editor();

@@ -105,6 +105,7 @@ class StaffAnswers final : public web::Answering {
   web::Answer to(const web::Ask& ask) override;
   /// A scan's file goes to the disk, and only from an editor.
   web::BodyPlace place_for_body(const web::Ask& head) override;
+  web::Answer refusal(int status, const Problem& why) override;
   /// A label in twelve languages.
   std::size_t most_of_a_body() const override { return 128u << 10; }
   /// After open().

@@ -14,7 +14,7 @@ namespace onggi::console {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t kLargest = 8u << 20;  // bytes
+constexpr std::size_t kLargestSheet = 8u << 20;  // bytes
 
 /// What is drawn while it is not whole.
 fs::path unfinished(const fs::path& sheet) {
@@ -45,7 +45,7 @@ VesselSheets::Sheet VesselSheets::of(const fs::path& vessel) {
   char name[32];
   std::snprintf(name, sizeof name, "%016llx.png", static_cast<unsigned long long>(hash.value()));
   const fs::path sheet = folder_ / name;
-  if (const auto bytes = files::read_file(sheet, kLargest))
+  if (const auto bytes = files::read_file(sheet, kLargestSheet))
     return {.png = {bytes->begin(), bytes->end()}, .trouble = ""};
   if (failed_ == sheet) return {"", trouble_};
   std::error_code failed;
