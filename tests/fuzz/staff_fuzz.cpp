@@ -62,6 +62,7 @@ struct World {
         .prices = site / "state/prices",
         .scans = site / "state/scans",
         .sheets = site / "state/sheets",
+        .trial = site / "state/trial",
         .clock = [] { return std::int64_t{1'780'000'000}; },
         .tell = [](const onggi::Problem&) {}});
     auto door = console::Door::make("staff", site / "state", 1'780'000'000);

@@ -216,14 +216,17 @@ std::vector<Revision> Revisions::read() const {
   return out;
 }
 
-Result<void> Revisions::keep(Revision& revision) const {
+std::string Revisions::next_id() const {
   const auto all = kept();
-  int number = 1;
-  if (!all.empty()) number = std::stoi(all.front().stem().string()) + 1;
-  std::array<char, 24> name{};
-  std::snprintf(name.data(), name.size(), "%08d.toml", number);
+  const int number = all.empty() ? 1 : std::stoi(all.front().stem().string()) + 1;
+  std::array<char, 16> name{};
+  std::snprintf(name.data(), name.size(), "%08d", number);
+  return name.data();
+}
+
+Result<void> Revisions::keep(Revision& revision) const {
   revision.when = files::local_time(files::wall_now(), "%Y-%m-%d %H:%M");
-  revision.kept_in = folder_ / name.data();
+  revision.kept_in = folder_ / (next_id() + ".toml");
   const fs::path real = files::real_path(revision.file), near = real.lexically_relative(site_);
   const bool within = !near.empty() && *near.begin() != "..";
   const std::string text = text_of(revision, (within ? near : real).string());

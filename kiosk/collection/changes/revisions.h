@@ -59,6 +59,9 @@ class Revisions {
   /// Newest first. One that a killed process did not carry out is not among them; a damaged one is
   /// left out.
   std::vector<Revision> read() const;
+  /// What the next one will be called (its file's name, without .toml), if no other process keeps
+  /// one first.
+  std::string next_id() const;
   /// Keeps `revision` as the newest, before its file is replaced. Problem (exit 1).
   Result<void> keep(Revision& revision) const;
   /// Forgets one. Problem (exit 1).

@@ -58,6 +58,7 @@ Result<int> answer(const SetArguments& arguments, const Result<editing::Edited>&
       changes.push_back(Json::object({{"key", value.key}, {"was", value.was}, {"is", value.is}}));
     out["changes"] = changes;
     out["restarts_console"] = done->restarts_console;
+    out["revision"] = done->revision.kept_in.stem().string();
   } else {
     out["another_file"] = done.error().exit_code == editing::kAnotherFile;
     out["where"] = done.error().where;

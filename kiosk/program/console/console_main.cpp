@@ -309,6 +309,7 @@ onggi::Result<int> serve_staff(const Arguments& a) {
                                .prices = state / "prices",
                                .scans = state / "scans",
                                .sheets = state / "sheets",
+                               .trial = state / "trial",
                                .clock = clock});
   const auto server = listen_at(*listening, staff);
   if (!server) return tl::unexpected(server.error());

@@ -29,6 +29,10 @@ web::Answer no_such_file() {
   return refused(404, "There is no such file here any more.", "Load this page again.");
 }
 
+web::Answer another_change() {
+  return refused(503, "Another change is being made at this moment.", "Try again in a moment.");
+}
+
 web::Answer wrong_form() { return refused(409, "This is no change.", "Load this page again."); }
 
 Json json_of(const std::vector<ChangeFault>& faults) {
@@ -121,6 +125,7 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
     answer.status = 409;
     return answer;
   }
+  if (auto busy = refused_while_trying()) return std::move(*busy);
   if (draft.values.empty())
     return refused(409, "It is so already.", "There is nothing to save: load this page again.");
   std::vector<std::string> arguments{"set", "--json", "-", "--if", tag};
@@ -134,14 +139,32 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
   for (const changes::ChangedValue& value : draft.values)
     if (!value.is.empty()) arguments.insert(arguments.end(), {value.key, value.is});
   if (note.size() > kMostOfANote) note = toml::shown(note, kMostOfANote);
-  return begin(std::move(arguments),
-               {now, who, ask.from, "changed", edited->path().filename().string() + ": " + note});
+  note = edited->path().filename().string() + ": " + note;
+  const auto body = nlohmann::json::parse(ask.body, nullptr, false);
+  const bool trying = body.contains("try") && body["try"] == true;
+  // It is known before the file is changed, so that it ends even if this program is killed then.
+  if (trying && !saver_.under_way())
+    if (auto kept =
+            trial_.set({changes::Revisions(site_.file()).next_id(), now + Trial::kLasts, note});
+        !kept)
+      return refused(kept.error());
+  web::Answer answer =
+      begin(std::move(arguments), {now, who, ask.from, trying ? "tried" : "changed", note});
+  trying_ = trying && answer.status == 202;
+  return answer;
+}
+
+std::optional<web::Answer> EditAnswers::refused_while_trying() const {
+  if (!trial_.now()) return std::nullopt;
+  return refused(409, "A change is being tried on the kiosk.",
+                 "Keep it or put it back first, at the top of this page.");
 }
 
 web::Answer EditAnswers::undo(const web::Ask& ask, const std::string& who, std::int64_t now) {
   const auto body = nlohmann::json::parse(ask.body, nullptr, false);
   const std::string id = Words(ask.body)["id"];
   if (id.empty()) return wrong_form();
+  if (auto busy = refused_while_trying()) return std::move(*busy);
   const bool forget = body.contains("forget") && body["forget"] == true;
   std::vector<std::string> arguments{
       "undo", "--json", "-", "--if", id, "--config", site_.file().string()};
@@ -150,26 +173,70 @@ web::Answer EditAnswers::undo(const web::Ask& ask, const std::string& who, std::
 }
 
 web::Answer EditAnswers::begin(std::vector<std::string> arguments, ChangeLog::Change note) {
-  if (saver_.under_way() || !saver_.begin(std::move(arguments)))
-    return refused(503, "Another change is being made at this moment.", "Try again in a moment.");
+  if (saver_.under_way() || !saver_.begin(std::move(arguments))) return another_change();
   note_ = std::move(note);
   web::Answer answer = json(Json::object({{"number", ++number_}}));
   answer.status = 202;
   return answer;
 }
 
-std::optional<ChangeLog::Change> EditAnswers::ended() {
+std::optional<ChangeLog::Change> EditAnswers::ended(std::int64_t now) {
   auto said = saver_.take();
-  if (!said) return std::nullopt;
+  if (!said) {
+    if (trial_.is_due(now) && !saver_.under_way() && !trying_)
+      take_trial_back(now, "(by itself)", "");
+    return std::nullopt;
+  }
   const auto report = nlohmann::json::parse(*said, nullptr, false);
   said_[number_] = std::move(*said);
   if (said_.size() > kRemembered) said_.erase(said_.begin());
-  if (!report.value("done", false)) return std::nullopt;
+  const bool done = report.value("done", false);
+  if (std::exchange(trying_, false)) {
+    if (!done) trial_.end();
+    // From now on, under the name that it really got.
+    else if (const std::string id = report.value("revision", ""); !id.empty())
+      static_cast<void>(trial_.set({id, now + Trial::kLasts, note_.what}));
+  }
+  if (std::exchange(ending_trial_, false)) {
+    trial_.end();
+    if (!done) trial_trouble_ = report.value("what", "") + ' ' + report.value("remedy", "");
+  }
+  if (!done) return std::nullopt;
   if (note_.what.empty() && report.contains("words"))
     for (const auto& words : report["words"])
       if (words.is_string())
         note_.what = toml::shown(note_.what + words.get<std::string>() + ' ', kMostOfANote);
   return note_;
+}
+
+web::Answer EditAnswers::take_trial_back(std::int64_t now, const std::string& who,
+                                         const std::string& from) {
+  web::Answer answer = begin(
+      {"undo", "--json", "-", "--if", trial_.now()->revision, "--config", site_.file().string()},
+      {now, who, from, "put back", ""});
+  ending_trial_ = answer.status == 202;
+  return answer;
+}
+
+Json EditAnswers::trial(std::int64_t now) const {
+  if (trial_.now())
+    return Json::object({{"left", std::max<std::int64_t>(trial_.now()->until - now, 0)},
+                         {"what", trial_.now()->what}});
+  return trial_trouble_.empty() ? Json() : Json::object({{"trouble", trial_trouble_}});
+}
+
+web::Answer EditAnswers::end_trial(const web::Ask& ask, const std::string& act,
+                                   const std::string& who, std::int64_t now) {
+  const bool told = !std::exchange(trial_trouble_, {}).empty();
+  if (act != "keep" && act != "back")
+    return refused(404, "This cannot be done here.", "Use the page.");
+  if (!trial_.now())
+    return told ? json(Json::object())
+                : refused(409, "Nothing is being tried any more.", "Load this page again.");
+  if (saver_.under_way()) return another_change();
+  if (act == "back") return take_trial_back(now, who, ask.from);
+  trial_.end();
+  return json(Json::object());
 }
 
 web::Answer EditAnswers::saved(const web::Ask& ask) {

@@ -8,11 +8,13 @@
 #include <string>
 #include <utility>
 
+#include "kiosk/ground/files/json.h"
 #include "kiosk/ground/web/message.h"
 #include "kiosk/program/console/change_log.h"
 #include "kiosk/program/console/edited_file.h"
 #include "kiosk/program/console/onggi_process.h"
 #include "kiosk/program/console/site.h"
+#include "kiosk/program/console/trial.h"
 #include "kiosk/program/console/vessel_sheets.h"
 
 namespace onggi::console {
@@ -22,16 +24,18 @@ namespace onggi::console {
 class EditAnswers {
  public:
   /// `site` stays with the caller. `onggi`: the program that writes.
-  /// `sheets`: a folder for drawn sheets.
-  EditAnswers(Site& site, const std::filesystem::path& onggi, std::filesystem::path sheets)
-      : site_(site), saver_(onggi), sheets_(onggi, std::move(sheets)) {}
+  /// `sheets`: a folder for drawn sheets. `trial`: a file for the change that is tried.
+  EditAnswers(Site& site, const std::filesystem::path& onggi, std::filesystem::path sheets,
+              std::filesystem::path trial)
+      : site_(site), saver_(onggi), sheets_(onggi, std::move(sheets)), trial_(std::move(trial)) {}
 
   /// {file, tag, values: all of its TOML, fields, languages: codes of those that there are, gaps:
   /// [{key, what}] that its reader finds}
   web::Answer file(const web::Ask& ask, const std::string& name);
   /// `body`: {changes: [[key, value], ...]}; {faults: [{key, what, remedy}]}
   web::Answer check(const std::string& name, const std::string& body);
-  /// `body`: {tag, changes}. 202 where it has begun; 409 with faults, 412 for another tag.
+  /// `body`: {tag, changes, try}. 202 where it has begun; 409 with faults, 412 for another tag.
+  /// With try: true it is taken back by itself after Trial::kLasts.
   web::Answer save(const web::Ask& ask, const std::string& name, const std::string& who,
                    std::int64_t now);
   /// Takes back the newest change, or only forgets it. `body`: {id, forget}; if another one is the
@@ -51,15 +55,28 @@ class EditAnswers {
   web::Answer outline(const web::Ask& ask, const std::string& id);
   /// A change is being made.
   bool under_way() const { return saver_.under_way(); }
-  /// The change that has ended since the last call and was made: for the log.
-  std::optional<ChangeLog::Change> ended();
+  /// The change that has ended since the last call and was made: for the log. Call it often: what
+  /// is tried is taken back by it.
+  std::optional<ChangeLog::Change> ended(std::int64_t now);
+  /// {left: s, what} of the change that is tried, {trouble} of one that could not be taken back;
+  /// else null.
+  files::Json trial(std::int64_t now) const;
+  /// Keeps what is tried (`act` "keep"), or takes it back now ("back").
+  web::Answer end_trial(const web::Ask& ask, const std::string& act, const std::string& who,
+                        std::int64_t now);
 
  private:
+  std::optional<web::Answer> refused_while_trying() const;
+  web::Answer take_trial_back(std::int64_t now, const std::string& who, const std::string& from);
   web::Answer begin(std::vector<std::string> arguments, ChangeLog::Change note);
 
   Site& site_;
   OnggiProcess saver_;
   VesselSheets sheets_;
+  Trial trial_;
+  bool trying_ = false;        // the change under way is to be tried
+  bool ending_trial_ = false;  // it takes back the one that is tried
+  std::string trial_trouble_;
   int number_ = 0;
   std::map<int, std::string> said_;  ///< By number.
   ChangeLog::Change note_;

@@ -52,6 +52,7 @@ const PageFile kPageFiles[] = {{"/base.js", kScript, k_base_js},
 constexpr const char* kEdit = "/api/edit/";
 constexpr const char* kPrices = "/api/prices/";
 
+constexpr const char* kTrial = "/api/trial/";
 constexpr const char* kScan = "/api/scan";
 constexpr const char* kSheet = "/sheet/";
 constexpr const char* kFile = "application/octet-stream";
@@ -65,7 +66,7 @@ bool brings_file(const web::Ask& ask) {
 
 /// True of what editors alone see and do.
 bool is_of_editors(const std::string& path) {
-  constexpr const char* kEditorsFolders[] = {kScan, "/api/upload", kEdit, kPrices, kSheet};
+  constexpr const char* kEditorsFolders[] = {kScan, "/api/upload", kEdit, kPrices, kSheet, kTrial};
   constexpr const char* kEditorsOwn[] = {"/api/scenes", "/api/shelf", "/api/revisions",
                                          "/api/saved", "/api/undo"};
   return std::ranges::any_of(kEditorsFolders,
@@ -337,6 +338,9 @@ web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path)
 web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session) {
   if (ask.target == "/api/undo") return edit_.undo(ask, session.who, parts_.clock());
   if (brings_file(ask)) return scans_.took(ask);
+  if (ask.target.starts_with(kTrial))
+    return edit_.end_trial(ask, ask.target.substr(std::string_view(kTrial).size()), session.who,
+                           parts_.clock());
   if (ask.target.starts_with(std::string(kScan) + '/'))
     return scans_.act(ask.target.substr(std::string_view(kScan).size() + 1), ask, session.who,
                       parts_.clock());
@@ -352,7 +356,7 @@ web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session)
 }
 
 void StaffAnswers::note_ended() {
-  for (const auto& change : {edit_.ended(), scans_.ended()})
+  for (const auto& change : {edit_.ended(parts_.clock()), scans_.ended()})
     if (change)
       if (auto added = parts_.changes.add(*change); !added) parts_.tell(added.error());
 }
@@ -395,6 +399,7 @@ web::Answer StaffAnswers::state(const web::Ask& ask, const Session& session) {
   out["exhibit"] = parts_.site.file().string();
   out["keepsakes"] = folder.string();
   out["phones"] = known.phones_answered.value_or(false);
+  if (session.role == Role::editor) out["trial"] = edit_.trial(known.now);
   out["today"] = files::local_time(static_cast<std::time_t>(known.now), files::kDay);
   return json(ask, out.text(-1));
 }

@@ -46,10 +46,12 @@ namespace onggi::console {
 ///   POST /api/passphrase         {old, new}: one's own
 ///   GET  /api/edit/NAME      (e) a file that can be changed: exhibit, scene/NAME
 ///   POST /api/edit/NAME/check(e) {changes}: what is wrong with them
-///   POST /api/edit/NAME/save (e) {tag, changes}: begins to change it
+///   POST /api/edit/NAME/save (e) {tag, changes, try}: begins to change it
 ///   GET  /api/saved?number=  (e) what came of a change
 ///   GET  /api/revisions      (e) what can be taken back
 ///   POST /api/undo           (e) {id, forget}: begins to take back the newest
+///   POST /api/trial/keep     (e) keeps the change that is tried
+///   POST /api/trial/back     (e) begins to take it back now
 ///   GET  /api/shelf          (e) the vessels in their order
 ///   GET  /outline/ID             one of them from the side
 ///   GET  /sheet/ID           (e) section and view of it, drawn
@@ -77,7 +79,8 @@ class StaffAnswers final : public web::Answering {
     ChangeLog changes;
     std::filesystem::path prices;         ///< A folder for what scenes cost,
     std::filesystem::path scans;          ///< one for scans on their way to the shelf,
-    std::filesystem::path sheets;         ///< and one for the drawn sheets of vessels.
+    std::filesystem::path sheets;         ///< one for the drawn sheets of vessels,
+    std::filesystem::path trial;          ///< and a file for the change that is tried.
     std::function<std::int64_t()> clock;  ///< s since 1970.
     /// Gets what the staff should know of a file.
     std::function<void(const Problem&)> tell = files::log_problem;
@@ -86,7 +89,7 @@ class StaffAnswers final : public web::Answering {
   explicit StaffAnswers(Parts parts)
       : parts_(std::move(parts)),
         desk_(parts_.site, parts_.tell),
-        edit_(parts_.site, parts_.onggi, parts_.sheets),
+        edit_(parts_.site, parts_.onggi, parts_.sheets, parts_.trial),
         scenes_(parts_.site, ScenePrices(parts_.onggi, parts_.prices)),
         scans_(parts_.site, ScanInbox(parts_.onggi, parts_.scans)),
         notice_(parts_.site.exhibit().keepsake.folder) {}

@@ -129,14 +129,15 @@ class Edited {
     return this.changes.has(key) && !same(this.seen.get(key), this.was(key)) ? { theirs: this.was(key) } : undefined;
   }
 
-  async save() {
+  /** Writes it; `trying`: for five minutes, after which it is put back by itself. */
+  async save(trying = false) {
     if (this.conflicts().length > 0) return;
     const sent = new Map(this.changes);
     this.stopChecking();
     try {
       this.busy = true;
       this.show();
-      const begun = await ask(this.address("save"), { tag: this.file.tag, changes: [...sent] });
+      const begun = await ask(this.address("save"), { tag: this.file.tag, changes: [...sent], try: trying });
       const said = await outcome(begun.number, this.place, "Looking at the whole exhibit, then saving…");
       this.told = null;
       if (said.another_file) return await this.meanwhile();
@@ -144,6 +145,7 @@ class Edited {
       // What was typed meanwhile stays.
       for (const [key, value] of sent) if (same(this.changes.get(key), value)) this.changes.delete(key);
       await this.load();
+      if (trying) return this.say("It is tried for five minutes. The kiosk takes it up when no visitor is there.");
       this.say((said.changes.length === 1 ? "Saved." : `Saved, ${said.changes.length} values.`) +
         " The kiosk takes it up when no visitor is there. You can take it back at the end of Settings.");
     } catch (error) {
@@ -186,6 +188,9 @@ class Edited {
     const [save, forget] = this.buttons, busy = this.busy === true;
     save.disabled = !this.dirty || this.faults.length > 0 || this.conflicts().length > 0 || busy;
     save.textContent = this.changes.size > 1 ? `Save ${this.changes.size} changes` : "Save";
+    const attempt = save.nextElementSibling;
+    attempt.hidden = !this.dirty;
+    attempt.disabled = save.disabled;
     forget.hidden = !this.dirty;
     forget.disabled = busy;
   }
@@ -356,3 +361,23 @@ function wayButtons(name) {
 }
 
 addEventListener("beforeunload", (event) => { if (edits.some((one) => one.dirty)) event.preventDefault(); });
+
+/** What was pressed: Save, or to try it. */
+const wantsTrial = (event) => event.submitter?.value === "try";
+
+for (const act of ["keep", "back"])
+  $("trial-" + act).addEventListener("click", async () => {
+    $("trial-keep").disabled = $("trial-back").disabled = true;
+    try {
+      const begun = await ask("/api/trial/" + act, {});
+      if (begun.number === undefined) return $("trial-words").replaceChildren();
+      const said = await outcome(begun.number, $("trial-words"), "Looking at the whole exhibit, then putting it back…");
+      if (!said.done) tell($("trial-words"), refusal(said));
+      else $("trial-words").replaceChildren();
+      for (const one of edits) if (one.file && !one.dirty) one.load().catch(() => {});
+    } catch (error) {
+      tell($("trial-words"), error);
+    } finally {
+      $("trial-keep").disabled = $("trial-back").disabled = false;
+    }
+  });

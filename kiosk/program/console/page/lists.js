@@ -121,5 +121,5 @@ $("list-which").addEventListener("change", () => {
   showLists();
 });
 $("list-beside").addEventListener("change", () => { listEdit.redraw(); listEdit.check(); });
-$("list-form").addEventListener("submit", (event) => { event.preventDefault(); listEdit.save(); });
+$("list-form").addEventListener("submit", (event) => { event.preventDefault(); listEdit.save(wantsTrial(event)); });
 $("list-forget").addEventListener("click", () => listEdit.forget());

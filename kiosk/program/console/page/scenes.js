@@ -67,7 +67,7 @@ async function showTicks(shown) {
     }
   }
 }
-$("scenes-form").addEventListener("submit", async (event) => { event.preventDefault(); await sceneChoice.save(); showScenes(); });
+$("scenes-form").addEventListener("submit", async (event) => { event.preventDefault(); await sceneChoice.save(wantsTrial(event)); showScenes(); });
 $("scenes-forget").addEventListener("click", () => sceneChoice.forget());
 
 // ---- One scene
@@ -148,7 +148,7 @@ function drawPrices(edit) {
     lines.push(made("p", {}, made("strong", {}, tickWords(whole)), Math.abs(more) > 0.05 ? ` With your changes about ${us(Math.max(whole + more, prices.contact_us))}.` : "",
       times >= 1 ? ` The clay may take ${most}: it fits ${times >= 2 ? Math.floor(times) + " times over" : "well enough"}.` : ""));
     if (times < 1) lines.push(made("p", { className: "fault" }, made("strong", {}, "This is too much for this machine."), ` The clay may take ${most} µs. Take an effect out, or choose a coarser grid.`));
-    lines.push(made("p", { className: "small" }, `On ${prices.rows} × ${prices.sectors}, with both hands at a wall; ${prices.machine}.` +
+    lines.push(made("p", { className: "small" }, `On ${prices.rows} × ${prices.sectors} rows and sectors, with both hands at a wall; ${prices.machine}. The test below: a finger, both hands and a palm at a wall of 1 cm.` +
       (prices.times_hold ? "" : " Something else kept the machine busy: measure again when it is quiet.")));
   }
   if (scenePrices?.grid) lines.push(made("p", { className: "small" }, "What the machine chose: " + scenePrices.grid));
@@ -231,7 +231,7 @@ function drawScene(edit) {
 }
 $("scene-form").addEventListener("submit", async (event) => {
   event.preventDefault();
-  await sceneEdit.save();
+  await sceneEdit.save(wantsTrial(event));
   showPrices();
 });
 $("scene-forget").addEventListener("click", () => sceneEdit.forget());

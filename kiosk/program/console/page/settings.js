@@ -172,7 +172,7 @@ async function showRevisions() {
 
 $("settings-form").addEventListener("submit", async (event) => {
   event.preventDefault();
-  await settings.save();
+  await settings.save(wantsTrial(event));
   showRevisions();
 });
 $("settings-forget").addEventListener("click", () => settings.forget());

@@ -52,7 +52,7 @@ async function showShelf() {
     tell($("shelf-words"), error);
   }
 }
-$("shelf-form").addEventListener("submit", (event) => { event.preventDefault(); shelfEdit.save(); });
+$("shelf-form").addEventListener("submit", (event) => { event.preventDefault(); shelfEdit.save(wantsTrial(event)); });
 $("shelf-forget").addEventListener("click", () => shelfEdit.forget());
 
 // ---- A label
@@ -147,7 +147,7 @@ async function showSheet() {
 }
 $("label-sheet").addEventListener("toggle", () => { if ($("label-sheet").open && labelEdit) showSheet(); });
 $("label-beside").addEventListener("change", () => { labelEdit.redraw(); labelEdit.check(); });
-$("label-form").addEventListener("submit", (event) => { event.preventDefault(); labelEdit.save(); });
+$("label-form").addEventListener("submit", (event) => { event.preventDefault(); labelEdit.save(wantsTrial(event)); });
 $("label-forget").addEventListener("click", () => labelEdit.forget());
 $("label-close").addEventListener("click", () => {
   if (labelEdit.dirty) {

@@ -1,8 +1,9 @@
-// The staff's page: its parts, of which one is shown. base.js comes before it, edit.js, settings.js and shelf.js too.
+// The staff's page: its parts, of which one is shown. base.js comes before it; what editors alone need is loaded for them.
 "use strict";
 
 const PARTS = ["now", "desk", "figures", "settings", "shelf", "scenes", "lists", "words", "files", "people"];
 const FOR_EDITORS = ["settings", "shelf", "scenes", "lists", "words", "people"];
+const EDITORS_FILES = ["edit", "settings", "shelf", "scan", "scenes", "lists", "words"]; // in this order
 const EVERY = 2000; // ms between two looks at the kiosk
 
 // ---- Now
@@ -20,6 +21,18 @@ function showLine({ name, mood, says, remedy }) {
 let lastTouch = Date.now();
 for (const kind of ["pointerdown", "keydown", "scroll"]) addEventListener(kind, () => { lastTouch = Date.now(); }, { passive: true });
 const isHere = () => Date.now() - lastTouch < 60000;
+
+/** A change that is tried, and how long it still stands; every editor sees it. */
+let tried = false;
+function showTrial(trial) {
+  $("trial").hidden = !trial;
+  if (trial?.trouble) $("trial-what").replaceChildren(made("strong", {}, "A change that was tried could not be put back. "), trial.trouble, " Under Settings it can be taken back.");
+  else if (trial) $("trial-what").replaceChildren(made("strong", {}, `Tried for another ${Math.floor(trial.left / 60)}:${String(trial.left % 60).padStart(2, "0")}. `), trial.what);
+  $("trial-back").hidden = trial?.trouble !== undefined;
+  // It was put back: what is shown is not so any more.
+  if (tried && !trial && loaded) for (const one of edits) if (one.file && !one.dirty) one.load().catch(() => {});
+  tried = Boolean(trial);
+}
 
 async function look() {
   try {
@@ -41,6 +54,7 @@ async function look() {
     $("who").textContent = said.who === "(code)" ? "" : said.who;
     $("own").hidden = said.who === "(code)";
     for (const one of FOR_EDITORS) document.querySelector(`nav a[href='#${one}']`).hidden = said.role !== "editor";
+    showTrial(said.trial);
     if (first) begin();
   } catch (error) {
     lose(error);
@@ -314,6 +328,19 @@ const part = () => {
   return open ? wanted : "now";
 };
 
+let loaded = false; // what editors need
+async function loadForEditors() {
+  for (const file of EDITORS_FILES) {
+    const script = made("script", { src: `/${file}.js` });
+    await new Promise((done, failed) => {
+      script.addEventListener("load", done);
+      script.addEventListener("error", () => failed(Object.assign(new Error("A part of this page did not come."), { remedy: "Load it again." })));
+      document.head.append(script);
+    });
+  }
+  loaded = true;
+}
+
 function showPart() {
   for (const section of document.querySelectorAll("[data-part]")) section.hidden = section.dataset.part !== part();
   for (const link of document.querySelectorAll("nav a")) {
@@ -324,15 +351,17 @@ function showPart() {
   if (part() === "desk") showPots();
   if (part() === "figures") showFigures();
   if (part() === "files") showFiles();
+  if (part() === "people") showPeople();
+  if (!loaded) return;
   if (part() === "settings") showSettings();
   if (part() === "shelf") showShelf();
   if (part() === "scenes") showScenes();
   if (part() === "lists") showLists();
   if (part() === "words") showWords();
-  if (part() === "people") showPeople();
 }
-function begin() {
+async function begin() {
   $("day").value = state.today;
+  if (state.role === "editor") await loadForEditors().catch(lose);
   showPart();
 }
 addEventListener("hashchange", () => { showPart(); $("content").focus({ preventScroll: true }); scrollTo(0, 0); });

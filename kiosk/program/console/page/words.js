@@ -70,5 +70,5 @@ $("words-which").addEventListener("change", () => {
 });
 $("words-find").addEventListener("input", () => { if (wordsEdit?.file) wordsEdit.redraw(); });
 $("words-find").addEventListener("keydown", (event) => { if (event.key === "Enter") event.preventDefault(); });
-$("words-form").addEventListener("submit", (event) => { event.preventDefault(); wordsEdit.save(); });
+$("words-form").addEventListener("submit", (event) => { event.preventDefault(); wordsEdit.save(wantsTrial(event)); });
 $("words-forget").addEventListener("click", () => wordsEdit.forget());

@@ -29,6 +29,7 @@ TEST(LabProgram, GetsNothingThatAMuseumNeeds) {
   EXPECT_EQ(words_for_laboratory({"lab", "--help"}), std::nullopt);
   EXPECT_EQ(words_for_laboratory({"visit", "lab"}), std::nullopt);
   EXPECT_EQ(words_for_laboratory({"lab", "tune", "--write", "studio.toml"}), std::nullopt);
+  EXPECT_EQ(words_for_laboratory({"lab", "prices", "studio.toml"}), std::nullopt);
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ class EditPage : public ::testing::Test {
   }
   std::optional<ChangeLog::Change> wait() {
     for (int n = 0; n < 3000; ++n) {
-      if (const auto change = edit_.ended()) return change;
-      if (!edit_.under_way()) return edit_.ended();
+      if (const auto change = edit_.ended(1000)) return change;
+      if (!edit_.under_way()) return edit_.ended(1000);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return std::nullopt;
@@ -72,7 +72,7 @@ class EditPage : public ::testing::Test {
 
   editing::test::SmallSite folder_;
   Site site_ = *Site::open(folder_.path());
-  EditAnswers edit_{site_, folder_ / "onggi", folder_ / "state/sheets"};
+  EditAnswers edit_{site_, folder_ / "onggi", folder_ / "state/sheets", folder_ / "trial"};
 };
 
 TEST_F(EditPage, AFileIsGivenWithItsValuesItsTagAndTheKeysThatMayBeChangedHere) {
@@ -106,7 +106,7 @@ TEST_F(EditPage, AChangeIsHandedOnInTheFilesOwnWordsAndNotedWithWhoMadeIt) {
   EXPECT_EQ(change->who, "maria");
   EXPECT_EQ(change->from, "10.0.0.7");
   EXPECT_THAT(change->what, HasSubstr("exhibit.toml: credit is \"Museum"));
-  EXPECT_FALSE(edit_.ended());
+  EXPECT_FALSE(edit_.ended(1000));
   EXPECT_EQ(saved("1")["said"]["done"], true);
   EXPECT_EQ(edit_.saved(asking_for("2")).status, 404);
   // Another one after it takes nothing of the first from who asks late.
@@ -178,6 +178,101 @@ TEST_F(EditPage, TheShelfIsInTheOrderOfVisitorsWithWhatTheyDoNotSee) {
   EXPECT_EQ(shelf[3]["titles"]["ko"], "달항아리");
   EXPECT_EQ(edit_.outline(asking(), "tea_bowl").type, "image/svg+xml");
   EXPECT_EQ(edit_.outline(asking(), "../tea_bowl").status, 404);
+}
+
+/// What is tried, as a page is told of it.
+class TriedOnThePage : public EditPage {
+ protected:
+  TriedOnThePage() {
+    program("printf '%s\\n' \"$@\" > " + words_file().string() +
+            "; echo '{\"done\": true, \"changes\": [], \"revision\": \"00000005\", \"words\": "
+            "[\"It is 60 again.\"]}'");
+  }
+  void begin() {
+    const std::string tag = get("exhibit")["tag"];
+    const std::string body =
+        R"({"try": true, "tag": ")" + tag + R"(", "changes": [["idle.warn_after", 90]]})";
+    ASSERT_EQ(edit_.save(asking("", body), "exhibit", "maria", 1000).status, 202);
+    ASSERT_TRUE(wait());
+  }
+  json trial(std::int64_t now = 1000) { return json::parse(edit_.trial(now).text(-1)); }
+  /// Waits for what is begun at `now` by itself.
+  std::optional<ChangeLog::Change> by_itself(std::int64_t now) {
+    EXPECT_FALSE(edit_.ended(now));
+    for (int n = 0; n < 3000 && edit_.under_way(); ++n)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return edit_.ended(now);
+  }
+};
+
+TEST_F(TriedOnThePage, AChangeIsTakenBackByItselfAfterFiveMinutes) {
+  begin();
+  EXPECT_EQ(trial(1060)["left"], 240);
+  EXPECT_THAT(trial()["what"].get<std::string>(), HasSubstr("idle.warn_after is 90 now"));
+  EXPECT_FALSE(by_itself(1000 + Trial::kLasts - 1));
+  EXPECT_EQ(words().front(), "set");
+  const auto back = by_itself(1000 + Trial::kLasts);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->did, "put back");
+  EXPECT_THAT(words(), ElementsAre("undo", "--json", "-", "--if", "00000005", "--config",
+                                   folder_.exhibit().string()));
+  EXPECT_TRUE(trial().is_null());
+  EXPECT_FALSE(by_itself(9000));
+}
+
+TEST_F(TriedOnThePage, ItIsTakenBackThoughTheProgramWasKilled) {
+  begin();
+  EditAnswers again(site_, folder_ / "onggi", folder_ / "state/sheets", folder_ / "trial");
+  EXPECT_EQ(json::parse(again.trial(1100).text(-1))["left"], 200);
+  EXPECT_FALSE(again.ended(2000));
+  for (int n = 0; n < 3000 && again.under_way(); ++n)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(again.ended(2000));
+  EXPECT_EQ(words().front(), "undo");
+  EXPECT_FALSE(fs::exists(folder_ / "trial"));
+}
+
+TEST_F(TriedOnThePage, WhatIsKeptStaysAndNothingElseIsChangedUntilThen) {
+  begin();
+  const std::string tag = get("exhibit")["tag"];
+  EXPECT_EQ(save(R"([["credit", "Clay"]])", tag).status, 409);
+  EXPECT_EQ(edit_.undo(asking("", kUndo), "maria", 1000).status, 409);
+  EXPECT_EQ(edit_.end_trial(asking(), "else", "maria", 1000).status, 404);
+  EXPECT_EQ(edit_.end_trial(asking(), "keep", "maria", 1000).status, 200);
+  EXPECT_TRUE(trial().is_null());
+  EXPECT_FALSE(by_itself(9000));
+  EXPECT_EQ(words().front(), "set");
+  EXPECT_EQ(save(R"([["credit", "Clay"]])", tag).status, 202);
+  wait();
+}
+
+TEST_F(TriedOnThePage, ItIsTakenBackAtOnceWhereSomebodyWantsThat) {
+  begin();
+  EXPECT_EQ(edit_.end_trial(asking(), "back", "maria", 1010).status, 202);
+  ASSERT_TRUE(wait());
+  EXPECT_EQ(words().front(), "undo");
+  EXPECT_TRUE(trial().is_null());
+}
+
+TEST_F(TriedOnThePage, WhatCannotBeTakenBackIsToldAndNotTriedForEver) {
+  begin();
+  program(R"(echo '{"done": false, "what": "Changed by hand.", "remedy": "Look."}'; exit 2)");
+  EXPECT_FALSE(by_itself(2000));
+  EXPECT_EQ(trial()["trouble"], "Changed by hand. Look.");
+  EXPECT_FALSE(by_itself(3000));
+  EXPECT_EQ(edit_.end_trial(asking(), "keep", "maria", 1000).status, 200);
+  EXPECT_TRUE(trial().is_null());
+}
+
+TEST_F(TriedOnThePage, ARefusedChangeIsNotTried) {
+  program(R"(echo '{"done": false, "what": "No."}'; exit 2)");
+  const std::string tag = get("exhibit")["tag"];
+  const std::string body =
+      R"({"try": true, "tag": ")" + tag + R"(", "changes": [["idle.warn_after", 90]]})";
+  ASSERT_EQ(edit_.save(asking("", body), "exhibit", "maria", 1000).status, 202);
+  EXPECT_FALSE(wait());
+  EXPECT_TRUE(trial().is_null());
+  EXPECT_FALSE(fs::exists(folder_ / "trial"));
 }
 
 }  // namespace

@@ -335,6 +335,25 @@ class StaffEdit(staff_site.StaffSite):
             text = self.values("content/languages/ko.toml")["text"]
             self.assertEqual((text["attract"]["begin"], text["all"]["list"]), ("여기를 누르세요", "{first}·{second}"))
 
+    def test_a_change_is_tried_and_put_back_or_kept(self):
+        before = self.exhibit.read_text()
+        with self.page() as page:
+            self.come_in(page, "settings")
+            for value, button in ((90, "back"), (100, "keep")):
+                self.type(page, "idle-warn_after", str(value))
+                page.wait("!document.querySelector('#settings-save + [value=try]').disabled", "it can be tried")
+                page.tap("#settings-save + [value=try]")
+                page.wait("document.getElementById('settings-words').innerText.startsWith('It is tried')", "tried", PATIENCE)
+                self.assertEqual(self.values()["idle"]["warn_after"], value)
+                page.wait("!document.getElementById('trial').hidden && document.getElementById('trial-what').innerText.includes('another 4:')", "how long")
+                self.looked_at(page, "trial")
+                page.tap("#trial-" + button)
+                page.wait("document.getElementById('trial').hidden", button, PATIENCE)
+                if button == "back":
+                    page.wait("document.getElementById('field-exhibit-idle-warn_after').value === '60'", "as before", PATIENCE)
+                    self.assertEqual(self.exhibit.read_text(), before)
+            self.assertEqual(self.values()["idle"]["warn_after"], 100)
+
     def test_the_desk_changes_nothing(self):
         with self.page() as page:
             self.come_in(page, "people")
@@ -351,6 +370,10 @@ class StaffEdit(staff_site.StaffSite):
             page.tap("#enter button")
             page.wait("!!document.querySelector('#lines li')", "maria is in")
             self.assertTrue(page.value("document.querySelector(\"nav a[href='#settings']\").hidden"))
+            loaded = page.value("""[...performance.getEntriesByType('resource'), ...performance.getEntriesByType('navigation')]
+                .map((entry) => [entry.name, entry.decodedBodySize])""")
+            self.assertLess(sum(size for _, size in loaded), 100_000, "a first page is light")
+            self.assertEqual([name for name, _ in loaded if name.endswith(("/edit.js", "/scan.js"))], [], "editors' own")
             page.value("location.hash = '#settings'")
             time.sleep(0.3)
             self.assertFalse(page.value("document.querySelector('[data-part=now]').hidden"))

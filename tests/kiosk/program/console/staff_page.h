@@ -45,6 +45,7 @@ class StaffPage : public ::testing::Test {
                             .prices = state_ / "prices",
                             .scans = state_ / "scans",
                             .sheets = state_ / "sheets",
+                            .trial = state_ / "trial",
                             .clock = [this] { return now_; }});
     auto door = Door::make("staff", state_, now_);
     ASSERT_TRUE(door);
