@@ -89,6 +89,15 @@ Result<Seen> vessels_in(const fs::path& path) {
                  "Send a GLB, glTF, OBJ, PLY or STL file with all that belongs to it, or a zip.");
 }
 
+/// `remedy` for somebody at a page: there is no command line, and files are sent.
+std::string for_a_page(std::string remedy) {
+  const std::string_view option = "; --node NAME, or node in vessel.toml, reads one alone";
+  if (const auto at = remedy.find(option); at != std::string::npos) remedy.erase(at, option.size());
+  if (remedy.find("beside it") != std::string::npos)
+    remedy = "Send all files of the scan together, or as a zip.";
+  return remedy;
+}
+
 Result<int> look(const LookArguments& arguments) {
   const auto seen = vessels_in(arguments.file);
   Json out = Json::object({{"done", seen.has_value()}});
@@ -101,7 +110,7 @@ Result<int> look(const LookArguments& arguments) {
     out["notes"] = notes;
   } else {
     out["what"] = seen.error().what;
-    out["remedy"] = seen.error().remedy;
+    out["remedy"] = for_a_page(seen.error().remedy);
   }
   if (auto put = arguments.json.write(out.text(-1) + "\n"); !put)
     return tl::unexpected(put.error());

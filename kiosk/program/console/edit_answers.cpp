@@ -264,6 +264,11 @@ web::Answer EditAnswers::revisions(const web::Ask& ask) {
   return json(ask, list.text(-1));
 }
 
+/// True if outline() has one. That of a scan is drawn by and by.
+bool EditAnswers::has_outline(const std::string& id, const content::Pack& pack) {
+  return !pack.drawing.empty() || !sheets_.of(site_.exhibit().shelf / id).outline.empty();
+}
+
 web::Answer EditAnswers::shelf(const web::Ask& ask) {
   const settings::Exhibit& exhibit = site_.exhibit();
   Json list = Json::list();
@@ -274,7 +279,7 @@ web::Answer EditAnswers::shelf(const web::Ask& ask) {
     list.push_back(Json::object({{"id", one.id},
                                  {"titles", titles},
                                  {"hidden", hidden},
-                                 {"outline", !one.pack.drawing.empty()},
+                                 {"outline", has_outline(one.id, one.pack)},
                                  {"unfinished", one.pack.unfinished}}));
   }
   return json(ask, list.text(-1));
@@ -303,6 +308,7 @@ web::Answer EditAnswers::outline(const web::Ask& ask, const std::string& id) {
   if (beside)
     if (const auto drawing = content::read_drawing(vessel->path().parent_path() / name))
       picture = side_view(drawing->section);
+  if (vessel && picture.empty()) picture = sheets_.of(vessel->path().parent_path()).outline;
   if (picture.empty()) return page_of(404, "There is no drawing of this vessel.");
   web::Answer answer = json(ask, picture);
   if (answer.status == 200) answer.type = "image/svg+xml";

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "kiosk/collection/content/pack.h"
 #include "kiosk/ground/files/json.h"
 #include "kiosk/ground/web/message.h"
 #include "kiosk/program/console/change_log.h"
@@ -67,6 +68,7 @@ class EditAnswers {
 
  private:
   std::optional<web::Answer> refused_while_trying() const;
+  bool has_outline(const std::string& id, const content::Pack& pack);
   web::Answer take_trial_back(std::int64_t now, const std::string& who, const std::string& from);
   web::Answer begin(std::vector<std::string> arguments, ChangeLog::Change note);
 

@@ -207,8 +207,13 @@ std::optional<std::vector<changes::Change>> EditedFile::changes_in(const std::st
     if (!one.is_array() || one.size() != 2 || !one[0].is_string()) return std::nullopt;
     changes::Change change{one[0].get<std::string>(), std::nullopt};
     if (!one[1].is_null()) {
-      const fields::Field* field = fields::find_field(list_, toml::path_of(change.key));
-      change.value = written(one[1], field);
+      toml::Path names = toml::path_of(change.key);
+      // The field of an element: without its id.
+      const bool element = std::ranges::any_of(list_.tables, [&](const fields::OptionalTable& t) {
+        return t.is_list && names.size() > 2 && names.front() == t.name;
+      });
+      if (element) names.erase(names.begin() + 1);
+      change.value = written(one[1], fields::find_field(list_, names));
       if (!change.value) return std::nullopt;
     }
     out.push_back(std::move(change));
@@ -249,7 +254,12 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
   }
   if (after.empty()) return {};
   std::set<std::string> before;
-  for (const Problem& problem : reader_(path_, languages_)) before.insert(name_of(problem));
+  // What an unfinished vessel lacks is a fault as soon as visitors shall see it.
+  const bool finishes = std::ranges::any_of(draft.values, [](const changes::ChangedValue& value) {
+    return value.key == "unfinished" && value.is != "true";
+  });
+  if (!finishes)
+    for (const Problem& problem : reader_(path_, languages_)) before.insert(name_of(problem));
   std::vector<ChangeFault> out;
   for (const Problem& problem : after) {
     if (before.contains(name_of(problem))) continue;

@@ -37,6 +37,10 @@ web::Answer ScanAnswers::state(const web::Ask& ask) { return json(ask, inbox_.js
 
 web::Answer ScanAnswers::act(const std::string& act, const web::Ask& ask, const std::string& who,
                              std::int64_t now) {
+  const auto body = nlohmann::json::parse(ask.body, nullptr, false);
+  if (body.is_object() && body.contains("scan") && body["scan"] != inbox_.number())
+    return refused(412, "Another scan has been sent meanwhile.",
+                   "What is asked now is about that one.");
   if (act == "look") return inbox_.look() ? begun() : busy();
   if (act == "forget") return inbox_.forget() ? json(Json::object()) : busy();
   if (act != "place") return refused(404, "This cannot be done here.", "Use the page.");

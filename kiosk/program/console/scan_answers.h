@@ -23,8 +23,9 @@ class ScanAnswers {
   web::Answer took(const web::Ask& ask);
   /// What has arrived and what became of it: ScanInbox::json().
   web::Answer state(const web::Ask& ask);
-  /// `act`: "look", "forget", or "place" with the body {vessel, id, turned_over, height_mm}. 202
-  /// where it has begun.
+  /// `act`: "look", "forget", or "place" with the body {vessel, id, turned_over, height_mm}; in
+  /// each `scan`, the number of the scan that is meant. 202 where it has begun, 412 for another
+  /// scan.
   web::Answer act(const std::string& act, const web::Ask& ask, const std::string& who,
                   std::int64_t now);
   /// The vessel that came onto the shelf since the last call: for the log.

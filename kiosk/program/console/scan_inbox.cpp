@@ -44,7 +44,11 @@ Result<void> ScanInbox::take(web::ReceivedFile& file, const std::string& name, b
   take_answer();
   if (doing_ != Doing::nothing)
     return problem(name, "Another scan is on its way to the shelf.", "Try again in a moment.");
-  if (first) forget();
+  if (first || files_ == 0) {
+    forget();
+    ++number_;
+    name_ = name;
+  }
   if (files_ == kMostFiles)
     return problem(name, "These are too many files.", "Send them as one zip archive.");
   if (auto good = archives::EntryNames("the scan", kDeepest).check(name); !good) return good;
@@ -126,7 +130,9 @@ std::string ScanInbox::json() {
   const char* const doing = doing_ == Doing::looking   ? "looking"
                             : doing_ == Doing::placing ? "placing"
                                                        : "";
-  Json out = Json::object({{"files", files_},
+  Json out = Json::object({{"scan", number_},
+                           {"name", name_},
+                           {"files", files_},
                            {"bytes", bytes_},
                            {"most", kMost},
                            {"free", none ? 0 : space.available},

@@ -40,14 +40,17 @@ class ScanInbox {
     bool turned_over = false;  ///< It stands the other way up than was found.
     double height_mm = 0.0;    ///< 0: as the file has it.
   };
+  /// The number of the scan that is here: whoever chooses means one of them.
+  int number() const { return number_; }
   /// Begins to put it on `shelf`. False while something else is done, or where there is no such
   /// vessel.
   bool put_on_shelf(const Choice& choice, const std::filesystem::path& shelf);
   /// Deletes what has arrived; false while something is done with it.
   bool forget();
 
-  /// {files: how many, bytes, most, free: bytes on the disk, doing: "", "looking" or "placing",
-  /// found: what `onggi vessel look` told, placed: what `onggi vessel import` told, id: of that}
+  /// {scan: its number, name: of its first file, files: how many, bytes, most, free: bytes on the
+  /// disk, doing: "", "looking" or "placing", found: what `onggi vessel look` told, placed: what
+  /// `onggi vessel import` told, id: of that}
   std::string json();
   /// The vessel that came onto the shelf since the last call, once: for the log.
   std::optional<std::string> put();
@@ -60,6 +63,8 @@ class ScanInbox {
   std::filesystem::path folder_, scan_;
   std::weak_ptr<void> arriving_;
   Doing doing_ = Doing::nothing;
+  int number_ = 0;
+  std::string name_;
   std::size_t files_ = 0;
   std::uint64_t bytes_ = 0;
   std::string found_, placed_, id_;  // JSON; "": nothing yet

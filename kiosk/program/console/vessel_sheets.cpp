@@ -3,11 +3,14 @@
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "engine/math/hash.h"
+#include "kiosk/ground/files/durable_file.h"
 #include "kiosk/ground/files/file_stamps.h"
 #include "kiosk/ground/files/read_file.h"
 #include "kiosk/program/console/kept_files.h"
+#include "kiosk/program/console/side_view.h"
 
 namespace onggi::console {
 
@@ -15,6 +18,25 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t kLargestSheet = 8u << 20;  // bytes
+
+fs::path outline_file(fs::path sheet) { return sheet.replace_extension(".svg"); }
+
+std::string text_of(const fs::path& file) {
+  const auto bytes = files::read_file(file, kLargestSheet);
+  return bytes ? std::string(bytes->begin(), bytes->end()) : std::string();
+}
+
+/// From what `onggi vessel inspect` tells of the vessel; "" where it tells nothing.
+std::string outline_of(const std::string& told) {
+  const auto vessel = nlohmann::json::parse(told, nullptr, false);
+  if (!vessel.is_object() || !vessel.contains("outer")) return {};
+  Section section;
+  section.outline.emplace_back(Vec2{0.0, 0.0});
+  for (const auto& point : vessel["outer"])
+    if (point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number())
+      section.outline.emplace_back(Vec2{point[1].get<double>(), point[0].get<double>()});
+  return side_view(section);
+}
 
 /// What is drawn while it is not whole.
 fs::path unfinished(const fs::path& sheet) {
@@ -27,6 +49,9 @@ void VesselSheets::take() {
   const auto said = drawing_.take();
   if (!said) return;
   std::error_code failed;
+  if (const std::string outline = outline_of(*said); !outline.empty())
+    static_cast<void>(
+        files::write_durably(outline_file(wanted_), std::as_bytes(std::span(outline))));
   fs::rename(unfinished(wanted_), wanted_, failed);
   if (failed) {
     failed_ = wanted_;
@@ -46,8 +71,8 @@ VesselSheets::Sheet VesselSheets::of(const fs::path& vessel) {
   std::snprintf(name, sizeof name, "%016llx.png", static_cast<unsigned long long>(hash.value()));
   const fs::path sheet = folder_ / name;
   if (const auto bytes = files::read_file(sheet, kLargestSheet))
-    return {.png = {bytes->begin(), bytes->end()}, .trouble = ""};
-  if (failed_ == sheet) return {"", trouble_};
+    return {{bytes->begin(), bytes->end()}, text_of(outline_file(sheet)), ""};
+  if (failed_ == sheet) return {"", "", trouble_};
   std::error_code failed;
   fs::create_directories(folder_, failed);
   if (drawing_.begin({"vessel", "inspect", vessel.string(), "--json", "-", "--plot",

@@ -8,11 +8,12 @@
 
 namespace onggi::console {
 
-/// The sheets of vessels: section and view, as archaeologists draw them. `onggi vessel inspect`
-/// draws one in a process of its own; the newest are kept. One thread; never waits for a drawing.
+/// The sheets of vessels: section and view, as archaeologists draw them, and their outlines. `onggi
+/// vessel inspect` draws one in a process of its own; the newest are kept. One thread; never waits
+/// for a drawing.
 class VesselSheets {
  public:
-  static constexpr std::size_t kKept = 40;  ///< Of about 200 kB.
+  static constexpr std::size_t kKept = 400;  ///< Files; of about 300 kB with their outlines.
 
   /// `onggi`: the program beside this one. `folder`: of its own; made when it is needed.
   VesselSheets(std::filesystem::path onggi, std::filesystem::path folder)
@@ -20,6 +21,7 @@ class VesselSheets {
 
   struct Sheet {
     std::string png;      ///< Its bytes; "": not there yet.
+    std::string outline;  ///< An SVG: the vessel from the side (side_view()).
     std::string trouble;  ///< Why it will not be; "": it is being drawn, or waits for another.
   };
   /// The sheet of the vessel in the folder `vessel`, as its files are now.

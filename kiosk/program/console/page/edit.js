@@ -97,7 +97,7 @@ class Edited {
     for (const [key, row] of this.rows) row.fault(faults.find((fault) => fault.key === key), this.conflict(key));
     const here = faults.filter(({ key }) => this.rows.has(key)), elsewhere = faults.filter(({ key }) => !this.rows.has(key));
     const lines = elsewhere.slice(0, 2).map(({ key, what, remedy }) =>
-      made("p", {}, made("strong", {}, (key && !what.startsWith(key) ? key + ": " : "") + what), " " + remedy));
+      made("p", {}, made("strong", {}, (key && !what.startsWith(key) ? key + ": " : "") + what), " " + remedy, ...(key && this.reach ? [this.showButton(key)] : [])));
     if (elsewhere.length > 2) lines.push(made("p", {}, `And ${elsewhere.length - 2} more like these.`));
     if (here.length > 0) lines.unshift(this.wayTo(here[0].key, here.length === 1 ? "One field needs you" : `${here.length} fields need you`));
     // What has no field in sight is chosen here.
@@ -117,6 +117,15 @@ class Edited {
     keep.addEventListener("click", () => { this.seen.set(key, this.was(key)); this.found(this.faults); });
     const mine = this.rows.get(key)?.chooses ? "" : `${called}: mine is ${inWords(this.changes.get(key))}. `;
     return made("div", { className: "theirs" }, `${mine}Theirs: ${inWords(this.was(key))}`, take, keep);
+  }
+  /** A button that brings the field of `key` into sight; `reach` does that. */
+  showButton(key) {
+    const go = made("button", { type: "button", className: "quiet" }, "Show it");
+    go.addEventListener("click", () => {
+      this.reach(key);
+      this.rows.get(key)?.show();
+    });
+    return go;
   }
   /** A button that leads to the field of `key`. */
   wayTo(key, words) {
@@ -294,7 +303,7 @@ function colorBeside(input) {
 function typed(words, field) {
   let text = words.trim();
   if (text === "") return null;
-  if (["number", "whole"].includes(field.kind)) return /^-?\d+([.,]\d+)?$/.test(text) ? Number(text.replace(",", ".")) : text;
+  if (["number", "whole"].includes(field.kind)) return /^-?(\d+([.,]\d*)?|[.,]\d+)$/.test(text) ? Number(text.replace(",", ".")) : text;
   if (/one line/.test(field.allowed)) text = text.replace(/\s*\n\s*/g, " ");
   if (field.table.startsWith("hours")) text = text.replace(/\s*[-–—]\s*/g, "-").replace(/(^|[-, ])(\d:)/g, "$10$2");
   if (field.kind === "texts") return text.split(",").map((one) => one.trim()).filter(Boolean);

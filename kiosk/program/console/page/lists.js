@@ -12,6 +12,7 @@ const LIST_LABELS = {
   about: "About it", glass: "Colour of the glass", body: "Colour of the fired clay", slip: "Colour of the slip", band: "Colour of a painted band",
   height_mm: "The pot’s height", mouth_mm: "Its diameter at the rim",
 };
+const KINDS = { today: "Today’s vessel", describe: "A pot that is described", eyes_closed: "With eyes closed", two_hands: "Two at one wheel" };
 let listEdit = null;
 
 async function showLists() {
@@ -73,7 +74,7 @@ function drawList(edit) {
         { label: `${LIST_LABELS[name] ?? asLabel(name)}, ${languageName(code)}`, lang: code, help: "", usual: "", lines: name === "about" || name === "words" ? 3 : 0 }));
     });
     const rows = plain.map((field) => {
-      const row = fieldRow(edit, `${key}.${field.key}`, field, { label: label(field) });
+      const row = fieldRow(edit, `${key}.${field.key}`, field, { label: label(field), called: (choice) => KINDS[choice] ?? choice.replaceAll("_", " ") });
       // Other figures belong to another kind.
       if (field.key === "kind") row.addEventListener("change", () => { edit.redraw(); $(row.querySelector("select").id).focus(); });
       return row;

@@ -103,13 +103,13 @@ async function sendScan(files) {
       await sendFile(one, n === 0, told);
       before += one.file.size;
     }
-    await ask("/api/scan/look", {});
+    const { scan: number } = await ask("/api/scan");
+    await ask("/api/scan/look", { scan: number });
     sending = null;
-    scanChosen = { name: files.length === 1 ? files[0].name : files[0].name.split("/")[0] };
+    scanChosen = null;
     showScan();
   } catch (error) {
     tell($("scan-body"), error);
-    ask("/api/scan/forget", {}).catch(() => {});
   } finally {
     sending = null;
   }
@@ -150,7 +150,7 @@ async function showScan() {
 async function onShelf(id) {
   $("scan-body").replaceChildren(made("p", {}, made("strong", {}, "It is on the shelf. "), "Visitors see it when its label is written and “Unfinished” is not ticked any more."));
   scanChosen = null;
-  await ask("/api/scan/forget", {}).catch(() => {});
+  await ask("/api/scan/forget", { scan: scan.scan }).catch(() => {});
   await showShelf();
   const vessel = vessels.find((one) => one.id === id);
   if (vessel) openLabel(vessel);
@@ -176,16 +176,19 @@ function drawQuestions() {
   scanChosen ??= {};
   if (scanChosen.of !== scan.found && !scan.placed) Object.assign(scanChosen, { vessel: single ? 0 : undefined, turned: undefined, tall: undefined, id: undefined });
   scanChosen.of = scan.found;
-  const parts = [], again = (change) => {
+  const parts = [made("p", {}, "About ", made("strong", { dir: "auto" }, scan.name), scan.files > 1 ? ` and ${scan.files - 1} more files` : "")], again = (change) => {
     Object.assign(scanChosen, change);
     const focused = document.activeElement?.id;
     drawQuestions();
     if (focused) $(focused)?.focus();
   };
   if (!single) {
-    parts.push(pictures("Which of these?", "The scan holds several vessels. The others can be added after this one.", "which",
+    parts.push(pictures("Which of these?", "The scan holds several vessels. For another one of them, send it again.", "which",
       found.map((vessel, n) => ({ value: n, picture: vesselPicture(vessel, false, vessel.title), words: vessel.title })), scanChosen.vessel,
-      (vessel) => again({ vessel, turned: undefined, tall: undefined, id: undefined })));
+      (vessel) => {
+        again({ vessel, turned: undefined, tall: undefined, id: undefined });
+        document.querySelectorAll("#scan-body .choice")[1]?.scrollIntoView({ block: "start", behavior: "smooth" });
+      }));
   }
   const vessel = found[scanChosen.vessel];
   if (vessel) {
@@ -199,7 +202,7 @@ function drawQuestions() {
   const notes = (scan.found.notes ?? []).map((note) => made("p", { className: "small" }, note));
   const other = made("button", { type: "button", className: "quiet" }, "Forget this scan");
   other.addEventListener("click", async () => {
-    await ask("/api/scan/forget", {}).catch(() => {});
+    await ask("/api/scan/forget", { scan: scan.scan }).catch(() => {});
     scanChosen = null;
     showScan();
   });
@@ -211,12 +214,14 @@ function sizeQuestion(vessel, again) {
   const raw = vessel.height_m / vessel.metres_per_unit, turned = scanChosen.turned === true;
   const units = vessel.size_is_sure ? [vessel.height_m] : [raw, raw / 100, raw / 1000].filter((tall) => tall >= 0.01 && tall <= 2);
   const options = units.map((tall) => ({ value: tall, picture: sizePicture(vessel, tall, turned, mm(tall)), words: `${mm(tall)} tall` }));
-  if (scanChosen.tall === undefined && (vessel.size_is_sure || units.length === 1)) scanChosen.tall = units[0];
+  if (scanChosen.tall === undefined && vessel.size_is_sure) scanChosen.tall = units[0];
   const own = made("input", { id: "scan-tall", inputMode: "decimal", autocomplete: "off", placeholder: Math.round(1000 * vessel.height_m),
     value: scanChosen.tall !== undefined && !units.includes(scanChosen.tall) ? Math.round(1e5 * scanChosen.tall) / 100 : "" });
   own.addEventListener("change", () => {
-    const tall = Number(own.value.replace(",", ".")) / 1000;
-    again({ tall: own.value.trim() === "" ? undefined : tall });
+    const typed_ = own.value.trim().match(/^(\d+(?:[.,]\d+)?)\s*(mm|cm|m)?$/i);
+    if (own.value.trim() === "") return again({ tall: vessel.size_is_sure ? units[0] : undefined });
+    if (!typed_) return tell($("scan-wrong"), Object.assign(new Error("This is no height."), { remedy: "Write a number of millimetres: 240." }));
+    again({ tall: Number(typed_[1].replace(",", ".")) * { mm: 0.001, cm: 0.01, m: 1 }[(typed_[2] ?? "mm").toLowerCase()] });
   });
   if (scanChosen.tall !== undefined && !units.includes(scanChosen.tall) && scanChosen.tall >= 0.004 && scanChosen.tall <= 2)
     options.push({ value: scanChosen.tall, picture: sizePicture(vessel, scanChosen.tall, turned, mm(scanChosen.tall)), words: `${mm(scanChosen.tall)} tall` });
@@ -230,18 +235,21 @@ function insideWords(vessel) {
     seen ? (vessel.inner_measured_share < 0.99 ? `On ${Math.round(100 * vessel.inner_measured_share)} % of the height both sides of the wall were there; the rest is inferred.` : "") : `Its wall is taken as ${wall}, and visitors throw it so.`);
 }
 function placeForm(vessel) {
-  const name = scanChosen.name && scan.found.vessels.length === 1 ? scanChosen.name : vessel.title;
+  const name = scan.found.vessels.length === 1 ? scan.name.split("/")[0] : vessel.title;
   const id = made("input", { id: "scan-id", autocomplete: "off", maxLength: 80, value: scanChosen.id ?? asId(name) }), go = made("button", { type: "button", id: "scan-go" }, "Put it on the shelf");
   id.addEventListener("input", () => { scanChosen.id = id.value; ready(); });
   go.addEventListener("click", async () => {
     try {
       go.disabled = true;
-      await ask("/api/scan/place", { vessel: scanChosen.vessel, id: id.value.trim(), turned_over: scanChosen.turned === true,
+      await ask("/api/scan/place", { scan: scan.scan, vessel: scanChosen.vessel, id: id.value.trim(), turned_over: scanChosen.turned === true,
         height_mm: Math.round(1e5 * scanChosen.tall) / 100 });
       showScan();
     } catch (error) {
-      go.disabled = false;
-      tell($("scan-wrong"), error);
+      if (error.status === 412) {
+        scanChosen = null;
+        await showScan();
+      } else go.disabled = false;
+      tell($("scan-wrong") ?? $("scan-body"), error);
     }
   });
   return made("div", { className: "field" }, made("label", { htmlFor: id.id }, "Its name in files; visitors do not see it"), made("div", { className: "value" }, id, go),
@@ -257,6 +265,7 @@ function ready() {
   $("scan-need").textContent = need;
 }
 
+addEventListener("beforeunload", (event) => { if (sending) event.preventDefault(); });
 const drop = $("scan-drop");
 for (const name of ["dragenter", "dragover"]) drop.addEventListener(name, (event) => { event.preventDefault(); drop.classList.add("over"); });
 for (const name of ["dragleave", "drop"]) drop.addEventListener(name, () => drop.classList.remove("over"));

@@ -141,14 +141,15 @@ function drawPrices(edit) {
   const lines = [];
   if (prices) {
     const more = Object.keys(EFFECTS).reduce((sum, effect) => {
-      const price = priceOf(effect)?.us ?? 0;
+      const price = Math.max(0, priceOf(effect)?.us ?? 0);
       return sum + (inScene(edit, effect) ? 1 : 0) * price - (edit.was(effect) !== undefined ? 1 : 0) * price;
     }, 0);
     const whole = prices.whole_us, most = 1000 * scenePrices.budget, times = most / (whole + more);
-    lines.push(made("p", {}, made("strong", {}, tickWords(whole)), Math.abs(more) > 0.05 ? ` With your changes about ${us(Math.max(whole + more, prices.contact_us))}.` : "",
+    const anew = ["quality", "clay.rows", "clay.sectors"].some((key) => edit.changes.has(key)) ? " Another grid is measured when it is saved." : "";
+    lines.push(made("p", {}, made("strong", {}, (scenePrices.measuring ? "Before the last change: " : "") + tickWords(whole)), anew, Math.abs(more) > 0.05 ? ` With your changes about ${us(Math.max(whole + more, prices.contact_us))}.` : "",
       times >= 1 ? ` The clay may take ${most}: it fits ${times >= 2 ? Math.floor(times) + " times over" : "well enough"}.` : ""));
     if (times < 1) lines.push(made("p", { className: "fault" }, made("strong", {}, "This is too much for this machine."), ` The clay may take ${most} µs. Take an effect out, or choose a coarser grid.`));
-    lines.push(made("p", { className: "small" }, `On ${prices.rows} × ${prices.sectors} rows and sectors, with both hands at a wall; ${prices.machine}. The test below: a finger, both hands and a palm at a wall of 1 cm.` +
+    lines.push(made("p", { className: "small" }, `On ${prices.rows} × ${prices.sectors} rows and sectors, with both hands at a wall; ${prices.machine}. A tick is a thousandth of a second: so often the clay moves, and a hand device is told its force. µs: a millionth of a second. The test below: a finger, both hands and a palm at a wall of 1 cm. Effects share work, so that their prices do not add up. Each bar is its share of the dearest.` +
       (prices.times_hold ? "" : " Something else kept the machine busy: measure again when it is quiet.")));
   }
   if (scenePrices?.grid) lines.push(made("p", { className: "small" }, "What the machine chose: " + scenePrices.grid));
@@ -179,13 +180,18 @@ function effectItem(edit, table) {
   fault.setAttribute("role", "alert");
   box.setAttribute("aria-describedby", id + "-cost");
   box.addEventListener("change", () => {
-    switchEffect(edit, table, box.checked);
+    const brought = switchEffect(edit, table, box.checked);
     edit.redraw();
+    if (brought) edit.say(`“${EFFECTS[brought]}” is switched on with it, because it needs that.`);
     $(id).focus();
   });
   edit.rows.set(name, {
     show: () => box.focus(),
-    fault: (found) => fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : [])),
+    fault: (found) => {
+      const needs = found?.what.match(/^(\w+) needs (\w+)\.$/);
+      const words = needs ? [`${EFFECTS[needs[1]]} needs “${EFFECTS[needs[2]]}”.`, "Switch that on, or this off."] : found ? [found.what, found.remedy] : [];
+      fault.replaceChildren(...(found ? [made("strong", {}, words[0]), " " + words[1]] : []));
+    },
   });
   const fields = edit.fields.filter((field) => field.table === name), inside = [];
   if (on && fields.length > 0) {
@@ -201,11 +207,13 @@ function effectItem(edit, table) {
   item.dataset.id = name;
   return item;
 }
-/** Switches it, and what it needs with it. */
+/** Switches it, and what it needs with it: the name of that. */
 function switchEffect(edit, table, on) {
   edit.setTable(table.name, on);
   const needed = on && table.needs ? edit.file.fields.tables.find(({ name }) => name === table.needs) : undefined;
-  if (needed && !inScene(edit, needed.name)) switchEffect(edit, needed, true);
+  if (!needed || inScene(edit, needed.name)) return "";
+  switchEffect(edit, needed, true);
+  return needed.name;
 }
 
 function drawScene(edit) {

@@ -10,6 +10,7 @@ const titleOf = ({ id, titles }) => {
   return titles[languages[0]] || titles.en || Object.values(titles)[0] || id.replaceAll("_", " ");
 };
 
+const outlinePicture = ({ id }) => made("img", { src: "/outline/" + encodeURIComponent(id), alt: "", width: 56, height: 56, draggable: false });
 function drawShelf() {
   const order = shelfEdit.now("order") ?? [], hidden = shelfEdit.now("hidden") ?? [];
   const place = ({ id }) => (order.includes(id) ? order.indexOf(id) : order.length);
@@ -23,7 +24,7 @@ function drawShelf() {
     const label = made("button", { type: "button", className: "quiet" }, "Label");
     label.setAttribute("aria-label", "Label: " + title);
     label.addEventListener("click", () => openLabel(vessel));
-    const picture = vessel.outline ? made("img", { src: "/outline/" + encodeURIComponent(vessel.id), alt: "", width: 56, height: 56, draggable: false }) : made("span", { className: "noimage" });
+    const picture = vessel.outline ? outlinePicture(vessel) : made("span", { className: "noimage" });
     const item = made("li", { draggable: true }, made("span", { className: "grip" }, "⠿"), picture,
       made("div", { className: "title" }, made("h3", { dir: "auto" }, title), made("p", { className: "small" },
         vessel.id + (vessel.unfinished ? ". Unfinished: visitors do not see it yet." : ""))),
@@ -48,8 +49,23 @@ async function showShelf() {
     await shelfEdit.load();
     if ($("shelf-words").textContent === "Reading…") $("shelf-words").replaceChildren();
     if (!$("scan-body").firstChild) showScan(); // one that was begun
+    showOutlines();
   } catch (error) {
     tell($("shelf-words"), error);
+  }
+}
+/** The outlines of scans are drawn one after the other: asks for them for a while. */
+async function showOutlines() {
+  const shown = vessels;
+  for (let n = 0; n < 30 && shown.some(({ outline }) => !outline); ++n) {
+    await new Promise((done) => setTimeout(done, 2000));
+    if (shown !== vessels || labelEdit || part() !== "shelf") return;
+    const now = await ask("/api/shelf").catch(() => shown);
+    for (const vessel of shown.filter(({ outline }) => !outline)) {
+      vessel.outline = now.find(({ id }) => id === vessel.id)?.outline;
+      const place = document.querySelector(`#shelf-list [data-id="${CSS.escape(vessel.id)}"] .noimage`);
+      if (vessel.outline && place) place.replaceWith(outlinePicture(vessel));
+    }
   }
 }
 $("shelf-form").addEventListener("submit", (event) => { event.preventDefault(); shelfEdit.save(wantsTrial(event)); });
@@ -58,11 +74,11 @@ $("shelf-forget").addEventListener("click", () => shelfEdit.forget());
 // ---- A label
 
 const LINES = { title: 2, culture: 2, made: 4, text: 9, credit: 3 };
-const LABEL_WORDS = { title: "Title", what: "What it is", culture: "Who made it", date: "When", made: "How it was made", text: "Text", credit: "Thanks", address: "Page about it" };
+const LABEL_WORDS = { title: "Title", what: "What it is", culture: "Who made it", date: "When", made: "How it was made", text: "Text", credit: "Whole credit line, in place of the museum’s and the shape’s", address: "Page about it" };
 const ABOUT = {
-  institution: "Who keeps it", accession: "Its number there", source: "Where shape and figures are from", credit: "Whom to thank",
+  institution: "Who keeps it", accession: "Its number there", source: "Where shape and figures are from", credit: "Credit of the shape",
   licence: "Licence of the shape", address: "The museum’s page", true_height_mm: "Its true height", true_diameter_mm: "Its greatest diameter",
-  glazes: "Glazes to choose from", unfinished: "Unfinished: visitors do not see it yet", built: "It was built of coils",
+  glazes: "Glazes that stand first", unfinished: "Unfinished: visitors do not see it yet", built: "It was built of coils",
   paddle: "Face of its makers’ paddle", way: "How visitors decorate it",
 };
 let labelEdit = null, labelVessel = null;
@@ -70,6 +86,12 @@ let labelEdit = null, labelVessel = null;
 async function openLabel(vessel) {
   if (labelEdit) return; // a second click
   const edit = new Edited("vessel/" + vessel.id, $("label-words"), [$("label-save"), $("label-forget")], drawLabel);
+  edit.reach = (key) => {
+    const code = key.split(".")[1];
+    if (!key.startsWith("label.") || ![...$("label-beside").options].some(({ value }) => value === code)) return;
+    $("label-beside").value = code;
+    edit.redraw();
+  };
   labelVessel = vessel;
   labelEdit = edit;
   $("label-title").textContent = titleOf(vessel);
@@ -107,6 +129,7 @@ function preview(edit, code) {
 }
 
 function drawLabel(edit) {
+  $("label-title").textContent = edit.was(`label.${(shelfEdit.file.values.languages ?? ["en"])[0]}.title`) || titleOf(labelVessel);
   const languages = shelfEdit.file.values.languages ?? ["en", "ko"];
   const codes = [languages[0], $("label-beside").value];
   const fields = edit.fields.filter(({ table }) => table === "label.LANGUAGE");
@@ -156,6 +179,7 @@ $("label-close").addEventListener("click", () => {
   }
   edits.splice(edits.indexOf(labelEdit), 1);
   labelEdit = null;
+  if (!scan?.found) $("scan-body").replaceChildren();
   $("label").hidden = true;
   $("shelf-all").hidden = false;
   showShelf().then(() => document.querySelector(`#shelf-list [data-id="${labelVessel.id}"] button`)?.focus());

@@ -22,6 +22,10 @@ async function openWords() {
     edits.splice(edits.indexOf(wordsEdit), 1);
   }
   const edit = new Edited("language/" + $("words-which").value, $("words-words"), [$("words-save"), $("words-forget")], drawWords);
+  edit.reach = (key) => {
+    $("words-find").value = key.slice("text.".length);
+    edit.redraw();
+  };
   edits.push(wordsEdit = edit);
   edit.say("");
   try {
@@ -49,7 +53,7 @@ function drawWords(edit) {
   const groups = Map.groupBy ? Map.groupBy(edit.fields, ({ table }) => table) : edit.fields.reduce((all, field) => all.set(field.table, [...(all.get(field.table) ?? []), field]), new Map());
   $("words-body").replaceChildren(...[...groups].map(([table, fields]) => {
     const changed = fields.some((field) => edit.changes.has(key(field))), place = made("div", { className: "fields" });
-    const details = made("details", { open: changed || unfolded.has(table) }, made("summary", {}, `${asLabel(table.slice(5).replaceAll(".", " "))} (${fields.length})`), place);
+    const details = made("details", { open: changed || unfolded.has(table) }, made("summary", {}, `${table === "text.all" ? "Everywhere" : asLabel(table.slice(5).replaceAll(".", " "))} (${fields.length})`), place);
     const fill = () => { if (details.open && !place.firstChild) place.append(...fields.map(row)); };
     fill();
     details.addEventListener("toggle", () => {

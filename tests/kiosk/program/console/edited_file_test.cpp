@@ -89,6 +89,18 @@ TEST_F(Editing, ALabelIsCheckedAsAVesselsFileIs) {
   EXPECT_TRUE(faults("vessel/moon_jar", R"([["label.ko.title", "달항아리 둘"]])").empty());
 }
 
+TEST_F(Editing, WhatAnUnfinishedVesselLacksIsSaidAtItsFieldsWhenVisitorsShallSeeIt) {
+  folder_.by_hand("content/vessels/moon_jar/vessel.toml", "true_height_mm",
+                  "unfinished = true\ntrue_height_mm");
+  folder_.by_hand("content/vessels/moon_jar/vessel.toml", "institution =", "# institution =");
+  EXPECT_TRUE(faults("vessel/moon_jar", R"([["label.ko.title", "달항아리 둘"]])").empty());
+  for (const char* value : {"null", "false"}) {
+    const auto gaps = faults("vessel/moon_jar", std::string(R"([["unfinished", )") + value + "]]");
+    ASSERT_EQ(gaps.size(), 1u) << value;
+    EXPECT_EQ(gaps[0].key, "institution");
+  }
+}
+
 TEST_F(Editing, WhereFilesLieOnTheMachineIsNotChangedHere) {
   for (const char* key : {"shelf", "rubric", "keepsake.folder", "reader.file_mb", "phone.address",
                           "vessel_scenes.moon_jar", "missions"}) {
@@ -135,6 +147,11 @@ TEST_F(Editing, WhatANewMissionLacksIsSaidAtItsFields) {
     keys.push_back(fault.key);
   EXPECT_THAT(keys, ::testing::IsSupersetOf({"mission.cup.title.en", "mission.cup.title.ko"}));
   EXPECT_TRUE(faults("missions", R"([["mission.litre_jar", null]])").empty());
+  for (const char* typed : {R"("60, 90")", R"("[60, 90]")", "[60, 90]"})
+    EXPECT_TRUE(
+        faults("missions", std::string(R"([["mission.litre_jar.height_mm", )") + typed + "]]")
+            .empty())
+        << typed;
 }
 
 TEST_F(Editing, WordsAreOfTheSiteAndKeepTheirPlaces) {

@@ -66,6 +66,8 @@ TEST_F(Inbox, AScanIsSentReadAndPutOnTheShelfAndItsFilesAreGoneThen) {
   ASSERT_TRUE(take("jar/textures/a.png"));
   EXPECT_EQ(state()["files"], 2);
   EXPECT_EQ(state()["bytes"], 8);
+  EXPECT_EQ(state()["name"], "jar/scan.gltf");
+  EXPECT_EQ(state()["scan"], 1);
   program(R"(echo '{"done": true, "vessels": [{"file": "/f/a.obj", "node": "", "down_axis": "-z"},
     {"file": "/f/b.obj", "node": "--x", "down_axis": "-y"}]}')");
   ASSERT_TRUE(inbox_.look());
@@ -126,6 +128,7 @@ TEST_F(Inbox, OneScanAtATimeAndNothingArrivesWhileItIsWorkedOn) {
   at_rest();
   EXPECT_TRUE(take("b.obj", true));
   EXPECT_EQ(state()["files"], 1) << "another scan begins";
+  EXPECT_EQ(inbox_.number(), 2);
   EXPECT_FALSE(fs::exists(folder_ / "scans/scan/a.obj"));
 }
 

@@ -83,6 +83,12 @@ TEST_F(StaffUploads, AChoiceThatIsNoneBeginsNothing) {
     EXPECT_EQ(post("/api/scan/place", body).status, 409) << body;
   EXPECT_EQ(post("/api/scan/place", R"({"vessel": 0, "id": "jar"})").status, 503);
   EXPECT_EQ(post("/api/scan/else").status, 404);
+  // Somebody else has sent another one since.
+  for (const char* act : {"look", "place", "forget"})
+    EXPECT_EQ(
+        post(std::string("/api/scan/") + act, R"({"scan": 7, "vessel": 0, "id": "jar"})").status,
+        412)
+        << act;
 }
 
 TEST_F(StaffUploads, ScenesScansAndSheetsAreForEditors) {

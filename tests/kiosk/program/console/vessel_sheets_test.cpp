@@ -20,7 +20,9 @@ class Sheets : public ::testing::Test {
     fs::create_directories(folder_ / "jar");
     std::ofstream(folder_ / "jar/vessel.toml") << "a = 1\n";
     std::ofstream(folder_ / "jar/vessel.glb") << "shape";
-    program("for file; do :; done; printf drawn > \"$file\"; echo '{}'");
+    program(
+        "for file; do :; done; printf drawn > \"$file\"; echo '{\"outer\": [[0, 0.05], [0.1, "
+        "0.06]]}'");
   }
   void program(const std::string& script) const {
     std::ofstream(folder_ / "onggi") << "#!/bin/sh\n" << script << '\n';
@@ -41,6 +43,7 @@ TEST_F(Sheets, AreDrawnOnceAndAnewWhereTheVesselChanged) {
   VesselSheets sheets(folder_ / "onggi", folder_ / "kept");
   EXPECT_EQ(sheets.of(folder_ / "jar").png, "") << "nobody waits for it";
   EXPECT_EQ(known(sheets).png, "drawn");
+  EXPECT_TRUE(known(sheets).outline.starts_with("<svg"));
   program("exit 1");
   EXPECT_EQ(known(sheets).png, "drawn");
   std::ofstream(folder_ / "jar/vessel.toml") << "a = 22\n";
