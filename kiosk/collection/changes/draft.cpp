@@ -35,6 +35,17 @@ Result<void> change_table(Draft& draft, const fields::OptionalTable& table, cons
                    "Write {} to add it, or name one of its keys: " + change.key + ".KEY.");
   const auto there = table_path(draft.text, change.key);
   if (there.has_value() == change.value.has_value()) return {};
+  if (!change.value && table.is_list) {
+    const toml::TomlPlaces places(draft.text);
+    const auto key = typed_key(draft.text, places, change.key, name);
+    // Behind one that goes, the numbers of the others are other ones.
+    if (key && key->shown != toml::key_text(typed))
+      return problem(name, change.key + " is meant by its number.",
+                     "Write its id: " + key->shown + ".");
+    if (places.elements({table.name}) == 1)
+      return problem(name, change.key + " is the last one of this file.",
+                     "Add another first. Or take the file out of the exhibit.");
+  }
   auto done = !change.value    ? toml::without_table(draft.text, *there, name)
               : !table.is_list ? toml::with_table(draft.text, typed, name)
                                : toml::with_element(draft.text, {table.name}, typed.back(), name);

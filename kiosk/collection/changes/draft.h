@@ -9,7 +9,7 @@
 
 namespace onggi::changes {
 
-/// What adds a whole table, in place of a value: an effect "slump", a mission "mission.litre_jar".
+/// What adds a whole table, in place of a value: an effect (slump), a mission (mission.litre_jar).
 inline constexpr const char* kNewTable = "{}";
 
 /// What somebody wants of one key of a file, or of one of its optional tables.

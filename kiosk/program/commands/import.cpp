@@ -140,6 +140,28 @@ struct Imported {
   std::vector<std::string> languages, notes;
 };
 
+/// Makes the folder of these files. It stands there whole or not at all: a shape without its label
+/// would be shown to visitors.
+Result<void> put_folder(const fs::path& folder, const std::vector<std::byte>& glb,
+                        const std::string& toml) {
+  const fs::path made = folder.parent_path() / ("." + folder.filename().string() + ".new");
+  std::error_code failed;
+  fs::remove_all(made, failed);  // of an import that was killed
+  auto done = files::make_folder(made);
+  if (done) done = files::write_durably(made / "vessel.glb", glb);
+  if (done) done = files::write_durably(made / "vessel.toml", std::as_bytes(std::span(toml)));
+  if (done) {
+    files::share_as_above(made);
+    fs::rename(made, folder, failed);
+    if (failed)
+      done = problem(folder.string(), "the folder cannot be put there: " + failed.message() + ".",
+                     "Check who may write in the shelf, and try again.", 1);
+  }
+  std::error_code gone;
+  if (!done) fs::remove_all(made, gone);
+  return done;
+}
+
 /// Makes the vessel's folder from the file `scan`.
 Result<Imported> make_folder_of(const fs::path& scan, const fs::path& folder,
                                 const content::LoadOptions& options, double height_mm,
@@ -150,14 +172,8 @@ Result<Imported> make_folder_of(const fs::path& scan, const fs::path& folder,
   const auto glb = glb_of(*vessel, options.node.empty());
   if (!glb) return tl::unexpected(glb.error());
 
-  const std::string toml = content::pack_toml(*vessel);
-  if (auto good = files::make_folder(folder); !good) return tl::unexpected(good.error());
-  if (auto good = files::write_durably(folder / "vessel.glb", *glb); !good)
+  if (auto good = put_folder(folder, *glb, content::pack_toml(*vessel)); !good)
     return tl::unexpected(good.error());
-  if (auto good = files::write_durably(folder / "vessel.toml", std::as_bytes(std::span(toml)));
-      !good)
-    return tl::unexpected(good.error());
-  files::share_as_above(folder);
   return Imported{folder, glb->size(), place.languages, vessel->extracted.warnings};
 }
 

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/profile/up.h"
@@ -50,9 +52,11 @@ Result<void> unpack_archives(const fs::path& folder) {
   for (fs::directory_iterator it(folder, gone), end; !gone && it != end; it.increment(gone))
     if (archives::is_archive_ending(it->path())) archives.push_back(it->path());
   for (const fs::path& archive : archives) {
-    const fs::path into = archive.string() + ".unpacked";
+    const fs::path into = archive.string() + ".unpacked", part = archive.string() + ".part";
     if (fs::exists(into, gone)) continue;
-    if (auto done = archives::unpack(archive, into); !done) return done;
+    fs::remove_all(part, gone);  // of a look that was killed
+    if (auto done = archives::unpack(archive, part); !done) return done;
+    fs::rename(part, into, gone);
   }
   return {};
 }
@@ -62,6 +66,20 @@ struct Seen {
   std::vector<content::Vessel> vessels;
   std::vector<Problem> unusable;
 };
+
+/// A name that several objects of a file share leads to the first of them.
+void leave_out_namesakes(Seen& seen) {
+  std::map<std::pair<fs::path, std::string>, int> count;
+  for (const content::Vessel& vessel : seen.vessels) ++count[{vessel.file, vessel.node}];
+  std::erase_if(seen.vessels, [&](const content::Vessel& vessel) {
+    return count[{vessel.file, vessel.node}] > 1 || vessel.node.find('\0') != std::string::npos;
+  });
+  for (const auto& [of, times] : count)
+    if (times > 1)
+      seen.unusable.push_back({of.first.string(),
+                               std::to_string(times) + " objects are called \"" + of.second + "\".",
+                               "Give each a name of its own, and export the scan again."});
+}
 
 Result<Seen> vessels_in(const fs::path& path) {
   Seen seen;
@@ -83,6 +101,7 @@ Result<Seen> vessels_in(const fs::path& path) {
     else
       std::ranges::move(*vessels, std::back_inserter(seen.vessels));
   }
+  leave_out_namesakes(seen);
   if (!seen.vessels.empty()) return seen;
   if (!seen.unusable.empty()) return tl::unexpected(seen.unusable.front());
   return problem(path.string(), "There is no scan in it.",

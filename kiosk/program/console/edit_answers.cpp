@@ -144,8 +144,8 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
   const bool trying = body.contains("try") && body["try"] == true;
   // It is known before the file is changed, so that it ends even if this program is killed then.
   if (trying && !saver_.under_way())
-    if (auto kept =
-            trial_.set({changes::Revisions(site_.file()).next_id(), now + Trial::kLasts, note});
+    if (auto kept = trial_.set(
+            {changes::Revisions(site_.file()).next_id(), now + ChangeOnTrial::kLasts, note});
         !kept)
       return refused(kept.error());
   web::Answer answer =
@@ -195,7 +195,7 @@ std::optional<ChangeLog::Change> EditAnswers::ended(std::int64_t now) {
     if (!done) trial_.end();
     // From now on, under the name that it really got.
     else if (const std::string id = report.value("revision", ""); !id.empty())
-      static_cast<void>(trial_.set({id, now + Trial::kLasts, note_.what}));
+      static_cast<void>(trial_.set({id, now + ChangeOnTrial::kLasts, note_.what}));
   }
   if (std::exchange(ending_trial_, false)) {
     trial_.end();

@@ -12,10 +12,10 @@
 #include "kiosk/ground/files/json.h"
 #include "kiosk/ground/web/message.h"
 #include "kiosk/program/console/change_log.h"
+#include "kiosk/program/console/change_on_trial.h"
 #include "kiosk/program/console/edited_file.h"
 #include "kiosk/program/console/onggi_process.h"
 #include "kiosk/program/console/site.h"
-#include "kiosk/program/console/trial.h"
 #include "kiosk/program/console/vessel_sheets.h"
 
 namespace onggi::console {
@@ -36,7 +36,7 @@ class EditAnswers {
   /// `body`: {changes: [[key, value], ...]}; {faults: [{key, what, remedy}]}
   web::Answer check(const std::string& name, const std::string& body);
   /// `body`: {tag, changes, try}. 202 where it has begun; 409 with faults, 412 for another tag.
-  /// With try: true it is taken back by itself after Trial::kLasts.
+  /// With try: true it is taken back by itself after ChangeOnTrial::kLasts.
   web::Answer save(const web::Ask& ask, const std::string& name, const std::string& who,
                    std::int64_t now);
   /// Takes back the newest change, or only forgets it. `body`: {id, forget}; if another one is the
@@ -75,7 +75,7 @@ class EditAnswers {
   Site& site_;
   OnggiProcess saver_;
   VesselSheets sheets_;
-  Trial trial_;
+  ChangeOnTrial trial_;
   bool trying_ = false;        // the change under way is to be tried
   bool ending_trial_ = false;  // it takes back the one that is tried
   std::string trial_trouble_;

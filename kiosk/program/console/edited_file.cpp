@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "kiosk/ground/toml/toml_reader.h"
 #include "kiosk/ground/toml/toml_splice.h"
 #include "kiosk/ground/toml/toml_text.h"
+#include "kiosk/program/console/line_keys.h"
 
 namespace onggi::console {
 
@@ -32,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 using fields::FieldKind;
 
-constexpr std::size_t kMostChanges = 200;
+constexpr std::size_t kMostChanges = 100;  // of 10 ms each in a large file
 
 /// A value of JSON as a person would type it, or as TOML writes it; none for an object, unless it
 /// is empty, which is a new table.
@@ -124,7 +126,8 @@ std::pair<std::string, std::string> lacking_in(const std::string& what) {
 }
 
 bool is_a_folders_name(const std::string& id) {
-  return !id.empty() && id[0] != '.' && id.find('/') == std::string::npos;
+  return !id.empty() && id[0] != '.' && id.find('/') == std::string::npos &&
+         std::ranges::none_of(id, [](char c) { return c >= 0 && c < ' '; });
 }
 
 }  // namespace
@@ -260,18 +263,20 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
   });
   if (!finishes)
     for (const Problem& problem : reader_(path_, languages_)) before.insert(name_of(problem));
+  std::map<std::string, std::string> keys_by_line;  // of what was changed
+  for (const changes::ChangedValue& value : draft.values)
+    keys_by_line.emplace(changes::line_of_key(draft.text, path_.string(), value.key), value.key);
+  const LineKeys lines(draft.text, path_.string());
   std::vector<ChangeFault> out;
   for (const Problem& problem : after) {
     if (before.contains(name_of(problem))) continue;
-    if (const std::string key = missing_key(draft.text, problem); !key.empty()) {
+    if (const std::string key = missing_key(lines, draft.text, problem); !key.empty()) {
       out.push_back({key, problem.what, "Write it here."});  // no line of the file: a field
       continue;
     }
-    const auto of = std::ranges::find_if(draft.values, [&](const changes::ChangedValue& value) {
-      const std::string line = changes::line_of_key(draft.text, path_.string(), value.key);
-      return !line.empty() && problem.where.starts_with(line);
-    });
-    out.push_back({of == draft.values.end() ? "" : of->key, problem.what, problem.remedy});
+    // "name:12:" of "name:12:3"
+    const auto of = keys_by_line.find(problem.where.substr(0, problem.where.rfind(':') + 1));
+    out.push_back({of == keys_by_line.end() ? "" : of->second, problem.what, problem.remedy});
   }
   std::stable_partition(out.begin(), out.end(),
                         [](const ChangeFault& fault) { return !fault.key.empty(); });
@@ -280,55 +285,43 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
 
 std::vector<ChangeFault> EditedFile::gaps(const std::string& text) const {
   std::vector<ChangeFault> out;
-  const toml::TomlPlaces places(text);
+  const LineKeys lines(text, path_.string());
   for (const Problem& problem : reader_(path_, languages_)) {
-    std::string key = missing_key(text, problem);
-    for (const toml::TomlPlaces::Value& value : places.values()) {
-      if (!key.empty()) break;
-      const auto end = text.begin() + static_cast<std::ptrdiff_t>(value.begin);
-      const std::string line =
-          path_.string() + ':' + std::to_string(1 + std::count(text.begin(), end, '\n')) + ':';
-      if (problem.where.starts_with(line)) key = toml::key_text(value.path);
-    }
+    std::string key = missing_key(lines, text, problem);
+    if (const auto* value = lines.value_at(problem); key.empty() && value != nullptr)
+      key = toml::key_text(value->path);
     if (!key.empty()) out.push_back({key, problem.what, problem.remedy});
   }
   return out;
 }
 
-std::string EditedFile::missing_key(const std::string& text, const Problem& problem) const {
-  // "label.en.culture is missing.", "attract.begin is missing." of [text]
-  toml::Path first = toml::path_of(problem.what.substr(0, problem.what.find(' ')));
+std::string EditedFile::missing_key(const LineKeys& lines, const std::string& text,
+                                    const Problem& problem) const {
   if (problem.what.starts_with("the true size is missing")) return "true_height_mm";
-  if (problem.what.ends_with(" is missing.") && !first.empty()) {
-    if (fields::find_field(list_, first) != nullptr) return toml::key_text(first);
-    first.insert(first.begin(), "text");
-    if (fields::find_field(list_, first) != nullptr) return toml::key_text(first);
-  }
   if (problem.what.starts_with("There are no hours for ")) return "hours.every_day";
-  const auto [word, language] = lacking_in(problem.what);
-  if (language.empty()) return {};
-  const toml::TomlPlaces places(text);
-  for (const toml::TomlPlaces::Header& header : places.headers()) {
-    if (header.path.empty()) continue;
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(header.begin);
-    const std::string line =
-        path_.string() + ':' + std::to_string(1 + std::count(text.begin(), end, '\n')) + ':';
-    if (!problem.where.starts_with(line)) continue;
-    const toml::Path list(header.path.begin(), header.path.end() - 1);
-    const bool element = places.elements(list) > 0;
-    toml::Path names = element ? list : header.path, path = header.path;
-    if (element) {
-      path.push_back(word);
-      names.push_back(word);
-    }
-    path.push_back(language);
-    names.push_back(language);
-    const fields::Field* field = fields::find_field(list_, names);
-    if (field == nullptr || !field->any_key) continue;
-    const auto typed = changes::typed_key(text, places, toml::key_text(path), "");
-    if (typed) return typed->shown;
+  if (problem.what.ends_with(" is missing.")) {
+    // "label.en.culture is missing.", "attract.begin is missing." of [text]
+    const std::string name = problem.what.substr(0, problem.what.find(' '));
+    for (const std::string& key : {name, "text." + name})
+      if (fields::find_field(list_, toml::path_of(key)) != nullptr)
+        return toml::key_text(toml::path_of(key));
   }
-  return {};
+  const auto [word, language] = lacking_in(problem.what);
+  const toml::TomlPlaces::Header* header = lines.header_at(problem);
+  if (language.empty() || header == nullptr) return {};
+  const toml::Path list(header->path.begin(), header->path.end() - 1);
+  const bool element = lines.places().elements(list) > 0;
+  toml::Path names = element ? list : header->path, path = header->path;
+  if (element) {
+    path.push_back(word);
+    names.push_back(word);
+  }
+  path.push_back(language);
+  names.push_back(language);
+  const fields::Field* field = fields::find_field(list_, names);
+  if (field == nullptr || !field->any_key) return {};
+  const auto typed = changes::typed_key(text, lines.places(), toml::key_text(path), "");
+  return typed ? typed->shown : "";
 }
 
 }  // namespace onggi::console

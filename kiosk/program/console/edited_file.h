@@ -12,6 +12,8 @@
 
 namespace onggi::console {
 
+class LineKeys;
+
 /// What is wrong with a change.
 struct ChangeFault {
   std::string key;  ///< As it was sent; "": of no single value.
@@ -58,7 +60,8 @@ class EditedFile {
   bool is_offered(const changes::Change& change) const;
   /// The key that is absent, by a `problem` that is told of its table or of none: "title.fr",
   /// "label.en.culture", "hours.every_day". "" of another problem.
-  std::string missing_key(const std::string& text, const Problem& problem) const;
+  std::string missing_key(const LineKeys& lines, const std::string& text,
+                          const Problem& problem) const;
 
   std::filesystem::path path_;
   std::vector<std::string> languages_;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kWorkPatience = 300.0;  // s of work: a hundred scans
 constexpr int kRefused = 2;
+constexpr std::size_t kMostOfAnAnswer = 16u << 20;  // sixty vessels of a scan take one MiB
 
 }  // namespace
 
@@ -31,6 +32,7 @@ bool OnggiProcess::begin(std::vector<std::string> arguments) {
     helper.arguments = words;
     helper.timeout_s = kWorkPatience;
     helper.answer = "report";
+    helper.most_bytes = kMostOfAnAnswer;
     helper.also_good = kRefused;
     const auto printed = files::run_helper(helper);
     std::string said;

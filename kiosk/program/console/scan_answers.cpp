@@ -1,5 +1,6 @@
 #include "kiosk/program/console/scan_answers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,10 @@ web::Answer busy() {
   return refused(503, "Something else is done with a scan at this moment.",
                  "Try again in a moment.");
 }
+web::Answer another_scan_came() {
+  return refused(412, "Another scan has been sent meanwhile.",
+                 "What is asked now is about that one.");
+}
 web::Answer begun() {
   web::Answer answer = json(Json::object());
   answer.status = 202;
@@ -28,9 +33,10 @@ web::Answer begun() {
 web::Answer ScanAnswers::took(const web::Ask& ask) {
   if (!ask.file) return refused(409, "No file came with this.", "Use the page itself.");
   const std::string name = query(ask, "name");
-  if (auto taken = inbox_.take(*ask.file, name, query(ask, "first") == "1"); !taken)
-    return refused(taken.error());
-  return json(Json::object({{"took", name}}));
+  const bool first = query(ask, "first") == "1";
+  if (!first && query(ask, "scan") != std::to_string(inbox_.number())) return another_scan_came();
+  if (auto taken = inbox_.take(*ask.file, name, first); !taken) return refused(taken.error());
+  return json(Json::object({{"took", name}, {"scan", inbox_.number()}}));
 }
 
 web::Answer ScanAnswers::state(const web::Ask& ask) { return json(ask, inbox_.json()); }
@@ -39,8 +45,7 @@ web::Answer ScanAnswers::act(const std::string& act, const web::Ask& ask, const 
                              std::int64_t now) {
   const auto body = nlohmann::json::parse(ask.body, nullptr, false);
   if (body.is_object() && body.contains("scan") && body["scan"] != inbox_.number())
-    return refused(412, "Another scan has been sent meanwhile.",
-                   "What is asked now is about that one.");
+    return another_scan_came();
   if (act == "look") return inbox_.look() ? begun() : busy();
   if (act == "forget") return inbox_.forget() ? json(Json::object()) : busy();
   if (act != "place") return refused(404, "This cannot be done here.", "Use the page.");
@@ -54,6 +59,8 @@ web::Answer ScanAnswers::place(const web::Ask& ask) {
   if (!body.is_object() || !body.contains("vessel") || !body["vessel"].is_number_unsigned() ||
       !body.contains("id") || !body["id"].is_string())
     return refused(409, "This is no choice.", "Load this page again.");
+  if (std::ranges::any_of(body["id"].get<std::string>(), [](char c) { return c < ' '; }))
+    return refused(409, "This is no name.", "Write small Latin letters, digits, _ and -.");
   ScanInbox::Choice choice;
   choice.vessel = body["vessel"].get<std::size_t>();
   choice.id = body["id"].get<std::string>();

@@ -19,7 +19,8 @@ class ScanAnswers {
 
   /// Where the body of a request goes that brings a file.
   web::BodyPlace place_for_file() { return inbox_.place_for_file(); }
-  /// A file arrived: ?name=NAME, and &first=1 where it begins another scan.
+  /// A file arrived: ?name=NAME, and &first=1 where it begins another scan, else &scan= the
+  /// number of the one that it belongs to. Answers {took, scan}.
   web::Answer took(const web::Ask& ask);
   /// What has arrived and what became of it: ScanInbox::json().
   web::Answer state(const web::Ask& ask);
@@ -28,6 +29,7 @@ class ScanAnswers {
   /// scan.
   web::Answer act(const std::string& act, const web::Ask& ask, const std::string& who,
                   std::int64_t now);
+  bool under_way() const { return inbox_.under_way(); }
   /// The vessel that came onto the shelf since the last call: for the log.
   std::optional<ChangeLog::Change> ended();
 

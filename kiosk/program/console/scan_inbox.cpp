@@ -44,15 +44,15 @@ Result<void> ScanInbox::take(web::ReceivedFile& file, const std::string& name, b
   take_answer();
   if (doing_ != Doing::nothing)
     return problem(name, "Another scan is on its way to the shelf.", "Try again in a moment.");
+  if (files_ == kMostFiles && !first)
+    return problem(name, "These are too many files.", "Send them as one zip archive.");
+  if (auto good = archives::EntryNames("the scan", kDeepest).check(name); !good) return good;
+  if (name.ends_with('/')) return problem(name, "This is a folder.", "Send the files in it.");
   if (first || files_ == 0) {
     forget();
     ++number_;
     name_ = name;
   }
-  if (files_ == kMostFiles)
-    return problem(name, "These are too many files.", "Send them as one zip archive.");
-  if (auto good = archives::EntryNames("the scan", kDeepest).check(name); !good) return good;
-  if (name.ends_with('/')) return problem(name, "This is a folder.", "Send the files in it.");
   const fs::path to = scan_ / name;
   std::error_code failed;
   fs::create_directories(to.parent_path(), failed);

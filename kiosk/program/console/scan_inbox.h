@@ -19,8 +19,7 @@ namespace onggi::console {
 /// never waits for that process.
 class ScanInbox {
  public:
-  static constexpr std::uint64_t kMost = 600u
-                                         << 20;  ///< Bytes of a file, as the web server has it.
+  static constexpr std::uint64_t kMost = 512u << 20;  ///< Bytes of a file.
   static constexpr std::size_t kMostFiles = 300;
 
   /// `onggi`: the program beside this one. `folder`: of its own; emptied now.
@@ -52,6 +51,8 @@ class ScanInbox {
   /// disk, doing: "", "looking" or "placing", found: what `onggi vessel look` told, placed: what
   /// `onggi vessel import` told, id: of that}
   std::string json();
+  /// Something is done with a scan.
+  bool under_way() const { return onggi_.under_way(); }
   /// The vessel that came onto the shelf since the last call, once: for the log.
   std::optional<std::string> put();
 

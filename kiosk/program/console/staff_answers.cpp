@@ -363,7 +363,7 @@ void StaffAnswers::note_ended() {
 
 void StaffAnswers::end() {
   constexpr int kTurns = 200;  // 20 s: long enough for most exhibits
-  for (int n = 0; n < kTurns && edit_.under_way(); ++n)
+  for (int n = 0; n < kTurns && (edit_.under_way() || scans_.under_way()); ++n)
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   note_ended();
 }

@@ -54,9 +54,9 @@ void VesselSheets::take() {
         files::write_durably(outline_file(wanted_), std::as_bytes(std::span(outline))));
   fs::rename(unfinished(wanted_), wanted_, failed);
   if (failed) {
-    failed_ = wanted_;
-    trouble_ = nlohmann::json::parse(*said, nullptr, false).value("what", "");
-    if (trouble_.empty()) trouble_ = "It could not be drawn. Files says what is wrong.";
+    std::string& trouble = failed_[wanted_];
+    trouble = nlohmann::json::parse(*said, nullptr, false).value("what", "");
+    if (trouble.empty()) trouble = "It could not be drawn. Files says what is wrong.";
   }
   keep_newest(folder_, kKept);
 }
@@ -72,9 +72,11 @@ VesselSheets::Sheet VesselSheets::of(const fs::path& vessel) {
   const fs::path sheet = folder_ / name;
   if (const auto bytes = files::read_file(sheet, kLargestSheet))
     return {{bytes->begin(), bytes->end()}, text_of(outline_file(sheet)), ""};
-  if (failed_ == sheet) return {"", "", trouble_};
+  if (const auto found = failed_.find(sheet); found != failed_.end())
+    return {"", "", found->second};
   std::error_code failed;
   fs::create_directories(folder_, failed);
+  if (!drawing_.under_way()) fs::remove(unfinished(sheet), failed);
   if (drawing_.begin({"vessel", "inspect", vessel.string(), "--json", "-", "--plot",
                       unfinished(sheet).string()}))
     wanted_ = sheet;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -31,9 +32,8 @@ class VesselSheets {
   void take();
 
   OnggiProcess drawing_;
-  std::filesystem::path folder_, wanted_;  // wanted_: the file that is being drawn
-  std::filesystem::path failed_;
-  std::string trouble_;
+  std::filesystem::path folder_, wanted_;                // wanted_: the file that is being drawn
+  std::map<std::filesystem::path, std::string> failed_;  // why, by the sheet's file
 };
 
 }  // namespace onggi::console

@@ -63,17 +63,17 @@ async function filesOf(transfer) {
   return out.length > 0 ? out : [...transfer.files].map((file) => ({ file, name: file.name }));
 }
 
-/** Sends one file; fetch tells nothing of how far it is. */
-function sendFile({ file, name }, first, told) {
+/** Sends one file of the scan of that number, and gives the number; fetch tells nothing of how far it is. */
+function sendFile({ file, name }, scan, told) {
   return new Promise((done, failed) => {
     const ask = (sending = new XMLHttpRequest());
-    ask.open("POST", `/api/upload?name=${encodeURIComponent(name)}${first ? "&first=1" : ""}`);
+    ask.open("POST", `/api/upload?name=${encodeURIComponent(name)}&${scan === undefined ? "first=1" : "scan=" + scan}`);
     ask.setRequestHeader("Content-Type", "application/octet-stream");
     ask.upload.addEventListener("progress", ({ loaded }) => told(loaded));
     ask.addEventListener("load", () => {
       let said = {};
       try { said = JSON.parse(ask.responseText); } catch { /* a page of the web server */ }
-      ask.status < 300 ? done() : failed(Object.assign(new Error(said.what ?? `The file was not taken (${ask.status}).`), { remedy: said.remedy ?? "Try again.", lost: ask.status === 401, out: ask.status === 401 }));
+      ask.status < 300 ? done(said.scan) : failed(Object.assign(new Error(said.what ?? `The file was not taken (${ask.status}).`), { remedy: said.remedy ?? "Try again.", lost: ask.status === 401, out: ask.status === 401 }));
     });
     ask.addEventListener("error", () => failed(Object.assign(new Error("The file did not arrive."), { remedy: "Look whether the network is there, and try again." })));
     ask.addEventListener("abort", () => failed(Object.assign(new Error("Stopped."), { remedy: "" })));
@@ -93,17 +93,16 @@ async function sendScan(files) {
     // What arrives is unpacked and written once more.
     if (2 * all > room.free) throw Object.assign(new Error(`This is ${megabytes(all)}, and the kiosk’s disk has ${megabytes(room.free)} left.`), { remedy: "Ask whoever keeps the machine for room." });
     $("scan-body").replaceChildren(words, bar, made("div", { className: "actions" }, stop));
-    let before = 0;
+    let before = 0, number; // of the scan, once its first file is there
     for (const [n, one] of files.entries()) {
       const told = (loaded) => {
         bar.value = before + loaded;
         words.textContent = `Sending ${files.length > 1 ? `file ${n + 1} of ${files.length}` : one.name}: ${megabytes(before + loaded)} of ${megabytes(all)}`;
       };
       told(0);
-      await sendFile(one, n === 0, told);
+      number = await sendFile(one, number, told);
       before += one.file.size;
     }
-    const { scan: number } = await ask("/api/scan");
     await ask("/api/scan/look", { scan: number });
     sending = null;
     scanChosen = null;

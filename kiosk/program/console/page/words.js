@@ -1,7 +1,7 @@
 // Words: every text of the kiosk in one language, with the program's English beside it.
 "use strict";
 
-const MOST_FOUND = 60;
+const MOST_FOUND = 60, MOST_CHANGES = 50; // that are checked at once
 let wordsEdit = null;
 
 async function showWords() {
@@ -22,6 +22,12 @@ async function openWords() {
     edits.splice(edits.indexOf(wordsEdit), 1);
   }
   const edit = new Edited("language/" + $("words-which").value, $("words-words"), [$("words-save"), $("words-forget")], drawWords);
+  const want = edit.want.bind(edit);
+  edit.want = (key, value) => {
+    if (edit.changes.size < MOST_CHANGES || edit.changes.has(key)) return want(key, value);
+    edit.redraw();
+    edit.say("These are many changes: save them first.");
+  };
   edit.reach = (key) => {
     $("words-find").value = key.slice("text.".length);
     edit.redraw();

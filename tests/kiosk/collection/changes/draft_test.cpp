@@ -78,6 +78,16 @@ TEST(draft, takes_a_table_out_and_remembers_all_of_it) {
   EXPECT_EQ(wrong.error().what, "slump is a table, not a value.");
 }
 
+TEST(draft, means_an_element_that_goes_by_its_id_and_leaves_one) {
+  Draft draft{"[[mission]]\nid = \"a\"\n[[mission]]\nid = \"b\"\n", {}, false};
+  const auto numbered = make_change(draft, &kTables, {"mission.1", std::nullopt}, "a.toml");
+  ASSERT_FALSE(numbered);
+  EXPECT_EQ(numbered.error().remedy, "Write its id: mission.a.");
+  EXPECT_TRUE(make_change(draft, &kTables, {"mission.a", std::nullopt}, "a.toml"));
+  EXPECT_FALSE(make_change(draft, &kTables, {"mission.b", std::nullopt}, "a.toml"));
+  EXPECT_EQ(draft.text, "[[mission]]\nid = \"b\"\n");
+}
+
 TEST(tag_of, is_the_bytes_own) {
   EXPECT_EQ(tag_of(kText), tag_of(kText));
   EXPECT_NE(tag_of("a = 60"), tag_of("a = 90"));

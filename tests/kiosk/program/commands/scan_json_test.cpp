@@ -80,6 +80,22 @@ TEST_F(AnswersForPrograms, AVesselIsPutOnTheShelfWithItsHeightAndTheOtherWayUp) 
   EXPECT_FALSE(fs::exists(folder_ / "shelf/cup"));
 }
 
+TEST_F(AnswersForPrograms, AVesselStandsOnTheShelfWholeOrNotAtAll) {
+  // A shape without its label would be shown to visitors, so nothing is there before both are.
+  const fs::path left = folder_ / "shelf/.bowl.new";
+  fs::create_directories(left);
+  std::ofstream(left / "vessel.glb") << "of an import that was killed";
+  const std::string import = "vessel import " + quoted(folder_ / "scan/bowl.glb") + " --shelf " +
+                             quoted(folder_ / "shelf") + " --id bowl";
+  const Outcome full = onggi(import, "ulimit -f 8");  // 4 KiB a file
+  EXPECT_NE(full.exit_code, 0);
+  EXPECT_TRUE(fs::is_empty(folder_ / "shelf") || fs::exists(left)) << "at most what is hidden";
+  EXPECT_FALSE(fs::exists(folder_ / "shelf/bowl"));
+  EXPECT_EQ(onggi(import).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "shelf/bowl/vessel.toml"));
+  EXPECT_FALSE(fs::exists(left));
+}
+
 TEST_F(AnswersForPrograms, AScenesPricesHaveEveryEffect) {
   std::ofstream(folder_ / "soft.toml") << "[clay]\nrows = 60\nsectors = 60\n[walls]\n[volume]\n";
   const auto run = onggi("lab prices --idle --json - " + quoted(folder_ / "soft.toml"));

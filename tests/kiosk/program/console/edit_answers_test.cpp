@@ -209,9 +209,9 @@ TEST_F(TriedOnThePage, AChangeIsTakenBackByItselfAfterFiveMinutes) {
   begin();
   EXPECT_EQ(trial(1060)["left"], 240);
   EXPECT_THAT(trial()["what"].get<std::string>(), HasSubstr("idle.warn_after is 90 now"));
-  EXPECT_FALSE(by_itself(1000 + Trial::kLasts - 1));
+  EXPECT_FALSE(by_itself(1000 + ChangeOnTrial::kLasts - 1));
   EXPECT_EQ(words().front(), "set");
-  const auto back = by_itself(1000 + Trial::kLasts);
+  const auto back = by_itself(1000 + ChangeOnTrial::kLasts);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->did, "put back");
   EXPECT_THAT(words(), ElementsAre("undo", "--json", "-", "--if", "00000005", "--config",

@@ -169,10 +169,12 @@ TEST_F(Editing, WordsAreOfTheSiteAndKeepTheirPlaces) {
 
 TEST_F(Editing, AVesselIsAFolderOfTheShelfAndNothingElse) {
   folder_.write("content/vessel.toml", "true_height_mm = 1\n");
-  for (const char* name : {"vessel/..", "vessel/../vessels/moon_jar", "vessel/", "vessel/.",
-                           "vessel/none", "vessel/moon_jar/..", "", "scene", "exhibit/",
-                           "scene/../exhibit", "scene/none", "language/../glazes", "language/"})
+  for (const char* name :
+       {"vessel/..", "vessel/../vessels/moon_jar", "vessel/", "vessel/.", "vessel/none",
+        "vessel/moon_jar/..", "", "scene", "exhibit/", "scene/../exhibit", "scene/none",
+        "scene/a\nb", "language/../glazes", "language/"})
     EXPECT_FALSE(EditedFile::find(site_, name)) << name;
+  EXPECT_FALSE(EditedFile::find(site_, std::string("scene/studio.toml\0", 18)));
   EXPECT_TRUE(EditedFile::find(site_, "vessel/moon_jar"));
 }
 

@@ -272,7 +272,7 @@ class StaffEdit(staff_site.StaffSite):
             page.wait(self.fault("slump-yield_stress", "scene-first_touch") + " !== ''", "too soft")
             self.type(page, "slump-yield_stress", "8000", "scene-first_touch")
             page.tap("#effect-volume")
-            page.wait("document.querySelector('[data-id=slump]').innerText.includes('slump needs volume')", "it cannot be without")
+            page.wait("document.querySelector('[data-id=slump]').innerText.includes('Slumping needs “No clay is lost”')", "it cannot be without")
             page.tap("#effect-volume")
             page.wait("document.getElementById('scene-time').innerText.includes('With your changes about')", "what it will cost")
             page.tap("#effect-friction")

@@ -116,6 +116,8 @@ class StaffScan(staff_site.StaffSite):
             page.wait("!!document.getElementById('scan-which-1')", "which one", PATIENCE)
             page.tap("#scan-which-1")
             self.looked_at(page, "scan_several")
+            self.assertTrue(page.value("document.getElementById('scan-go').disabled"), "an OBJ has no unit")
+            page.tap("#scan-size-0")
             page.wait("document.getElementById('scan-go')?.disabled === false", "all is known")
             page.tap("#scan-go")
             page.wait("!document.getElementById('label').hidden", "its label", PATIENCE)

@@ -65,11 +65,15 @@ TEST_F(StaffUploads, AFileThatArrivedIsTakenUnderItsNameAndRefusedUnderOneThatLe
     ASSERT_TRUE(file);
     (*file)->append(std::as_bytes(std::span("clay", 4)));
     web::Ask ask = sending();
-    ask.target = std::string("/api/upload?name=") + name;
+    ask.target = std::string("/api/upload?first=1&name=") + name;
     ask.file = *file;
     EXPECT_EQ(staff_->to(ask).status, status) << name;
   }
   EXPECT_TRUE(fs::exists(state_ / "scans/scan/jar.obj"));
+  web::Ask of_another = sending();
+  of_another.target = "/api/upload?name=jar.mtl&scan=7";
+  of_another.file = *web::ReceivedFile::make({.folder = state_ / "scans"});
+  EXPECT_EQ(staff_->to(of_another).status, 412);
   EXPECT_THAT(get("/api/scan").body, HasSubstr("\"files\":1"));
   EXPECT_EQ(staff_->to(sending()).status, 409) << "no file came";
   EXPECT_EQ(post("/api/scan/forget").status, 200);

@@ -1,4 +1,4 @@
-#include "kiosk/program/console/trial.h"
+#include "kiosk/program/console/change_on_trial.h"
 
 #include <nlohmann/json.hpp>
 #include <span>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kLongestTrial = 8192;  // bytes
 }
 
-Trial::Trial(std::filesystem::path file) : file_(std::move(file)) {
+ChangeOnTrial::ChangeOnTrial(std::filesystem::path file) : file_(std::move(file)) {
   const auto bytes = files::read_file(file_, kLongestTrial);
   if (!bytes) return;
   const auto kept =
@@ -28,7 +28,7 @@ Trial::Trial(std::filesystem::path file) : file_(std::move(file)) {
           kept["what"].get<std::string>()};
 }
 
-Result<void> Trial::set(Tried tried) {
+Result<void> ChangeOnTrial::set(Tried tried) {
   const std::string text =
       files::Json::object(
           {{"revision", tried.revision}, {"until", tried.until}, {"what", tried.what}})
@@ -42,7 +42,7 @@ Result<void> Trial::set(Tried tried) {
   return {};
 }
 
-void Trial::end() {
+void ChangeOnTrial::end() {
   now_.reset();
   std::error_code gone;
   std::filesystem::remove(file_, gone);

@@ -1,4 +1,4 @@
-#include "kiosk/program/console/trial.h"
+#include "kiosk/program/console/change_on_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -6,38 +6,38 @@
 
 #include "tests/kiosk/ground/files/scratch_folder.h"
 
-namespace onggi::console::trial_test {
+namespace onggi::console::change_on_trial_test {
 namespace {
 
-TEST(Trial, IsKnownAfterAnotherStartAndDueThen) {
+TEST(ChangeOnTrial, IsKnownAfterAnotherStartAndDueThen) {
   const files::test::ScratchFolder folder;
   {
-    Trial trial(folder / "trial");
+    ChangeOnTrial trial(folder / "trial");
     EXPECT_FALSE(trial.now());
     EXPECT_FALSE(trial.is_due(1'000'000));
     ASSERT_TRUE(trial.set({"00000012", 500, "credit is \"도\" now."}));
   }
-  Trial again(folder / "trial");
+  ChangeOnTrial again(folder / "trial");
   ASSERT_TRUE(again.now());
   EXPECT_EQ(again.now()->revision, "00000012");
   EXPECT_EQ(again.now()->what, "credit is \"도\" now.");
   EXPECT_FALSE(again.is_due(499));
   EXPECT_TRUE(again.is_due(500));
   again.end();
-  EXPECT_FALSE(Trial(folder / "trial").now());
+  EXPECT_FALSE(ChangeOnTrial(folder / "trial").now());
 }
 
-TEST(Trial, IsNoneWhereItsFileIsDamagedOrCannotBeWritten) {
+TEST(ChangeOnTrial, IsNoneWhereItsFileIsDamagedOrCannotBeWritten) {
   const files::test::ScratchFolder folder;
   for (const char* text : {"", "{", "[]", "{\"revision\": 5, \"until\": 5, \"what\": \"\"}",
                            "{\"revision\": \"5\", \"until\": \"5\", \"what\": \"\"}"}) {
     std::ofstream(folder / "trial") << text;
-    EXPECT_FALSE(Trial(folder / "trial").now()) << text;
+    EXPECT_FALSE(ChangeOnTrial(folder / "trial").now()) << text;
   }
-  Trial none(folder / "no/folder/trial");
+  ChangeOnTrial none(folder / "no/folder/trial");
   EXPECT_FALSE(none.set({"00000012", 500, ""}));
   EXPECT_FALSE(none.now());
 }
 
 }  // namespace
-}  // namespace onggi::console::trial_test
+}  // namespace onggi::console::change_on_trial_test

@@ -12,7 +12,7 @@ namespace onggi::console {
 /// A change that is tried on the kiosk for some minutes, and then taken back by itself. It stands
 /// in a file, so that it ends in time though this program was killed or the machine switched off.
 /// One thread; blocks on the disk.
-class Trial {
+class ChangeOnTrial {
  public:
   static constexpr std::int64_t kLasts = 300;  ///< s
 
@@ -24,7 +24,7 @@ class Trial {
   };
 
   /// `file`: of its own, in the program's state folder. Reads it.
-  explicit Trial(std::filesystem::path file);
+  explicit ChangeOnTrial(std::filesystem::path file);
 
   const std::optional<Tried>& now() const { return now_; }
   bool is_due(std::int64_t now) const { return now_ && now >= now_->until; }
