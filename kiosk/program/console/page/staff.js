@@ -361,8 +361,11 @@ function showPart() {
 }
 async function begin() {
   $("day").value = state.today;
-  if (state.role === "editor") await loadForEditors().catch(lose);
   showPart();
+  if (state.role !== "editor") return;
+  await loadForEditors().catch(lose);
+  // What is shown already stays as it is.
+  if (["settings", "shelf", "scenes", "lists", "words"].includes(part())) showPart();
 }
 addEventListener("hashchange", () => { showPart(); $("content").focus({ preventScroll: true }); scrollTo(0, 0); });
 
