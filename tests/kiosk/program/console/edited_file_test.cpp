@@ -136,8 +136,12 @@ TEST_F(Editing, AnEffectIsAddedOrTakenOutAndWhatItLacksIsSaidAtItsSwitch) {
   EXPECT_THAT(draft_.text, ::testing::Not(HasSubstr("\n[friction]\n")));
   // The last limit on forces is not for a page, nor is what is no effect.
   for (const char* key : {"guard.max_force", "guard", "paper", "paper.c_eta", "clay"})
-    EXPECT_EQ(faults("scene/first_touch", std::string("[[\"") + key + R"(", {}]])").size(), 1u)
-        << key;
+    for (const char* value : {"{}", "2.5", "null"}) {
+      EXPECT_EQ(
+          faults("scene/first_touch", std::string("[[\"") + key + "\", " + value + "]]").size(), 1u)
+          << key << value;
+      EXPECT_TRUE(draft_.values.empty()) << key << value;
+    }
 }
 
 TEST_F(Editing, WhatANewMissionLacksIsSaidAtItsFields) {
