@@ -154,6 +154,20 @@ std::optional<std::string> put_back(const Revision& revision, const std::string&
   return text;
 }
 
+/// The file's text `before` with `changes`.
+Result<Draft> draft_of(const fs::path& file, const std::string& before,
+                       const std::vector<changes::Change>& changes) {
+  if (const toml::TomlReader reader = toml::TomlReader::of_text(before, file.string());
+      !reader.ok())
+    return tl::unexpected(reader.problems().front());
+  const fields::FieldList* list = fields_of(exhibit::kind_of_toml(file));
+  Draft draft{before, {}, false};
+  for (const changes::Change& change : changes)
+    if (auto made = changes::make_change(draft, list, change, file.string()); !made)
+      return tl::unexpected(made.error());
+  return draft;
+}
+
 /// The newest one, if it is called `id`.
 Result<Revision> newest_of(const Revisions& revisions, const std::string& id = "") {
   const auto all = revisions.read();
@@ -168,6 +182,12 @@ Result<Revision> newest_of(const Revisions& revisions, const std::string& id = "
 
 }  // namespace
 
+Result<Draft> with_changes(const fs::path& file, const std::vector<changes::Change>& changes) {
+  const auto before = toml::read_toml_text(file);
+  if (!before) return tl::unexpected(before.error());
+  return draft_of(file, *before, changes);
+}
+
 Result<Edited> set_values(const fs::path& file, const std::vector<changes::Change>& changes,
                           const std::string& tag) {
   const auto before = toml::read_toml_text(file);
@@ -177,27 +197,21 @@ Result<Edited> set_values(const fs::path& file, const std::vector<changes::Chang
                    "Somebody else has changed this file since you looked at it. So nothing was "
                    "changed.",
                    "Look at it again, and make your change once more.", kAnotherFile);
-  if (const toml::TomlReader reader = toml::TomlReader::of_text(*before, file.string());
-      !reader.ok())
-    return tl::unexpected(reader.problems().front());
-  const fields::FieldList* list = fields_of(exhibit::kind_of_toml(file));
-  Draft draft{*before, {}, false};
-  for (const changes::Change& change : changes)
-    if (auto made = changes::make_change(draft, list, change, file.string()); !made)
-      return tl::unexpected(made.error());
-  Edited out{changes::revision_of(*before, draft.text), draft.restarts_console};
-  if (draft.text == *before) return out;
-  if (const auto faults = new_faults(file, draft.text); !faults.empty())
-    return tl::unexpected(refusal(faults, file, draft));
+  const auto draft = draft_of(file, *before, changes);
+  if (!draft) return tl::unexpected(draft.error());
+  Edited out{changes::revision_of(*before, draft->text), draft->restarts_console};
+  if (draft->text == *before) return out;
+  if (const auto faults = new_faults(file, draft->text); !faults.empty())
+    return tl::unexpected(refusal(faults, file, *draft));
   out.revision.file = file;
-  out.revision.values = draft.values;
+  out.revision.values = draft->values;
   Revisions revisions(file);
   if (auto locked = revisions.lock(); !locked)
     return tl::unexpected(nothing_written(std::move(locked.error())));
   revisions.tidy();
   if (auto kept = revisions.keep(out.revision); !kept)
     return tl::unexpected(nothing_written(std::move(kept.error())));
-  if (auto written = replace(file, *before, draft.text); !written) {
+  if (auto written = replace(file, *before, draft->text); !written) {
     static_cast<void>(revisions.forget(out.revision));
     return tl::unexpected(written.error());
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "kiosk/collection/changes/draft.h"
 #include "kiosk/collection/changes/revisions.h"
 
 namespace onggi::editing {
@@ -17,6 +18,11 @@ struct Edited {
 
 /// Set where the file is not the one that a change was meant for.
 inline constexpr int kAnotherFile = 3;
+
+/// What `file` would hold with `changes`; nothing is written. Problem, exit 2, for a key or value
+/// that cannot be, and for a file with a fault of TOML.
+Result<changes::Draft> with_changes(const std::filesystem::path& file,
+                                    const std::vector<changes::Change>& changes);
 
 /// Makes `changes` in `file`, in one step: all of them or none. Every other byte of the file stays.
 /// What `onggi check` would find wrong is refused, and nothing is written. The change is kept as a

@@ -17,6 +17,7 @@ cli::Command vessel_command();
 cli::Command score_command();
 cli::Command stats_command();
 cli::Command poster_command();
+cli::Command screen_command();
 cli::Command keepsake_command();
 cli::Command report_command();
 cli::Command devices_command();

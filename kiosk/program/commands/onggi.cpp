@@ -28,8 +28,8 @@ cli::Command onggi_command() {
           .options = run.options,
           .commands = {run, visit_command(), replay_command(), check_command(), set_command(),
                        undo_command(), vessel_command(), score_command(), stats_command(),
-                       keepsake_command(), poster_command(), report_command(), lab_command(),
-                       devices_command(), setup_command()},
+                       keepsake_command(), screen_command(), poster_command(), report_command(),
+                       lab_command(), devices_command(), setup_command()},
           .run = run.run};
 }
 

@@ -1,7 +1,5 @@
-#include <cstddef>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "kiosk/ground/files/output.h"
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/program/commands/commands.h"
+#include "kiosk/program/commands/typed_changes.h"
 
 namespace onggi::commands {
 
@@ -27,20 +26,11 @@ struct SetArguments {
 };
 
 Result<std::vector<changes::Change>> changes_of(const SetArguments& arguments) {
-  const auto& words = arguments.words;
-  if (words.empty() && arguments.without.empty())
+  if (arguments.words.empty() && arguments.without.empty())
     return problem(
         "onggi set", "No key is named.",
         "Name a key and its value: onggi set " + arguments.file + " idle.warn_after 90.");
-  if (words.size() % 2 != 0)
-    return problem("onggi set", "The key " + words.back() + " has no value.",
-                   "Write a value behind each key; one with spaces in quotes: "
-                   "onggi set config/exhibit.toml credit 'Museum of Clay'.");
-  std::vector<changes::Change> changes;
-  for (std::size_t n = 0; n < words.size(); n += 2) changes.push_back({words[n], words[n + 1]});
-  std::istringstream without(arguments.without);
-  for (std::string key; std::getline(without, key, ',');) changes.push_back({key, std::nullopt});
-  return changes;
+  return typed_changes(arguments.words, arguments.without, "onggi set");
 }
 
 /// Without what is for somebody at a terminal.

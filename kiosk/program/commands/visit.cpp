@@ -22,6 +22,7 @@
 #include "kiosk/picture/drawing/put_report.h"
 #include "kiosk/picture/encoding/encode.h"
 #include "kiosk/picture/render/window_size.h"
+#include "kiosk/program/commands/card_on_shelf.h"
 #include "kiosk/program/commands/commands.h"
 #include "kiosk/program/commands/visit_out.h"
 
@@ -59,29 +60,6 @@ Choice choose(const VisitArguments& arguments) {
     return {arguments.vessel, ""};
   if (!arguments.shelf.empty()) return {arguments.shelf, arguments.vessel};
   return {std::nullopt, arguments.vessel};
-}
-
-Result<int> find_card(const exhibit::Kiosk& kiosk, exhibit::Shelf& shelf, const Choice& choice) {
-  const auto& cards = shelf.cards();
-  const fs::path searched = choice.shelf.value_or(kiosk.exhibit().shelf);
-  if (cards.empty()) {
-    // A single refused file has its own reason; a shelf without vessels has none.
-    if (choice.id.empty() && !shelf.problems().empty())
-      return tl::unexpected(shelf.problems().front());
-    return problem(searched.string(), "No vessel there could be opened.",
-                   "Name a GLB or glTF file, or run onggi check " + searched.string() + ".");
-  }
-  if (choice.id.empty()) return 0;
-  std::vector<std::string> ids;
-  for (std::size_t i = 0; i < cards.size(); ++i) {
-    if (cards[i].vessel->id == choice.id) return static_cast<int>(i);
-    ids.push_back(cards[i].vessel->id);
-  }
-  const std::string nearest = nearest_name(choice.id, ids);
-  return problem("--vessel " + choice.id,
-                 "No such file, and no such vessel on the shelf " + searched.string() + ".",
-                 (nearest.empty() ? "" : "Did you mean " + nearest + "? ") +
-                     ("There are: " + joined(ids) + "."));
 }
 
 /// Index among the missions that are on; -1: none is wanted.
@@ -267,7 +245,8 @@ Result<int> visit(const VisitArguments& arguments) {
   auto opened = exhibit::Kiosk::open(options);
   if (!opened) return tl::unexpected(opened.error());
   exhibit::Kiosk& kiosk = **opened;
-  const auto card = find_card(kiosk, kiosk.shelf(), choice);
+  const auto card = card_on_shelf(kiosk.shelf(),
+                                  choice.shelf.value_or(kiosk.exhibit().shelf).string(), choice.id);
   if (!card) return tl::unexpected(card.error());
 
   const auto mission = find_mission(kiosk, arguments.mission);

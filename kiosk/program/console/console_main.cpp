@@ -46,7 +46,8 @@ constexpr const char* kHelp =
     "Exit: 0 success, 1 a fault of the machine, 2 a mistake in the input.\n";
 
 struct Arguments {
-  std::string site, state, keepsakes, listen, pass, hours = "24", languages, stl, to = "pot.stl";
+  std::string site, state, screens, keepsakes, listen, pass, hours = "24", languages, stl,
+                                                             to = "pot.stl";
   std::vector<std::string> addresses;
   bool phone_only = false, code = false, help = false;
   std::vector<std::string_view> given;  // options, without --help
@@ -70,6 +71,7 @@ onggi::Result<Arguments> read(int count, char** values) {
                          : name == "--address"   ? &address
                          : name == "--site"      ? &a.site
                          : name == "--state"     ? &a.state
+                         : name == "--screens"   ? &a.screens
                          : name == "--listen"    ? &a.listen
                          : name == "--pass"      ? &a.pass
                          : name == "--hours"     ? &a.hours
@@ -104,10 +106,9 @@ onggi::Result<void> fitting(const Arguments& a) {
     return onggi::problem("onggi-console", "The action is missing.",
                           "Use --site for the staff's page, --phone-only for visitors' phones.");
   constexpr std::pair<std::string_view, std::string_view> kSeen[] = {
-      {"--hours", "--pass"},          {"--to", "--stl"},
-      {"--state", "--site"},          {"--code", "--site"},
-      {"--listen", "--site"},         {"--listen", "--phone-only"},
-      {"--address", "--site"},        {"--keepsakes", "--phone-only"},
+      {"--hours", "--pass"},          {"--to", "--stl"},       {"--state", "--site"},
+      {"--code", "--site"},           {"--screens", "--site"}, {"--listen", "--site"},
+      {"--listen", "--phone-only"},   {"--address", "--site"}, {"--keepsakes", "--phone-only"},
       {"--languages", "--phone-only"}};
   for (const std::string_view name : a.given) {
     const bool seen =
@@ -310,6 +311,7 @@ onggi::Result<int> serve_staff(const Arguments& a) {
                                .scans = state / "scans",
                                .sheets = state / "sheets",
                                .trial = state / "trial",
+                               .screens = a.screens,
                                .clock = clock});
   const auto server = listen_at(*listening, staff);
   if (!server) return tl::unexpected(server.error());

@@ -13,6 +13,7 @@
 #include "kiosk/ground/files/paths.h"
 #include "kiosk/ground/toml/toml_json.h"
 #include "kiosk/ground/toml/toml_text.h"
+#include "kiosk/program/console/change_words.h"
 #include "kiosk/program/console/said.h"
 #include "kiosk/program/console/side_view.h"
 
@@ -34,14 +35,6 @@ web::Answer another_change() {
 }
 
 web::Answer wrong_form() { return refused(409, "This is no change.", "Load this page again."); }
-
-Json json_of(const std::vector<ChangeFault>& faults) {
-  Json list = Json::list();
-  for (const ChangeFault& fault : faults)
-    list.push_back(
-        Json::object({{"key", fault.key}, {"what", fault.what}, {"remedy", fault.remedy}}));
-  return Json::object({{"faults", list}});
-}
 
 std::vector<std::string> language_codes(const fs::path& folder) {
   std::vector<std::string> codes;
@@ -100,9 +93,8 @@ web::Answer EditAnswers::check(const std::string& name, const std::string& body)
   const auto text = edited->text();
   if (!text) return refused(409, text.error());
   std::vector<ChangeFault> faults;
-  const changes::Draft draft = edited->draft_of(*text, *wanted, faults);
-  for (ChangeFault& fault : edited->faults_of(draft, *text)) faults.push_back(std::move(fault));
-  return json(json_of(faults));
+  static_cast<void>(edited->checked(*text, *wanted, faults));
+  return answer_of(faults);
 }
 
 web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, const std::string& who,
@@ -118,10 +110,9 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
     return refused(412, "Somebody else has changed this file since you opened it.",
                    "Look at both, and save again.");
   std::vector<ChangeFault> faults;
-  const changes::Draft draft = edited->draft_of(*text, *wanted, faults);
-  for (ChangeFault& fault : edited->faults_of(draft, *text)) faults.push_back(std::move(fault));
+  const changes::Draft draft = edited->checked(*text, *wanted, faults);
   if (!faults.empty()) {
-    web::Answer answer = json(json_of(faults));
+    web::Answer answer = answer_of(faults);
     answer.status = 409;
     return answer;
   }
@@ -129,15 +120,13 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
   if (draft.values.empty())
     return refused(409, "It is so already.", "There is nothing to save: load this page again.");
   std::vector<std::string> arguments{"set", "--json", "-", "--if", tag};
-  std::string without, note;
-  for (const changes::ChangedValue& value : draft.values) {
-    if (value.is.empty()) without += (without.empty() ? "" : ",") + value.key;
-    note += (note.empty() ? "" : "; ") + changes::change_words(value);
-  }
-  if (!without.empty()) arguments.insert(arguments.end(), {"--without", without});
-  arguments.insert(arguments.end(), {edited->path().string()});
+  std::string note;
   for (const changes::ChangedValue& value : draft.values)
-    if (!value.is.empty()) arguments.insert(arguments.end(), {value.key, value.is});
+    note += (note.empty() ? "" : "; ") + changes::change_words(value);
+  const ChangeWords words = words_of(draft);
+  if (!words.without.empty()) arguments.insert(arguments.end(), {"--without", words.without});
+  arguments.push_back(edited->path().string());
+  arguments.insert(arguments.end(), words.pairs.begin(), words.pairs.end());
   if (note.size() > kMostOfANote) note = toml::shown(note, kMostOfANote);
   note = edited->path().filename().string() + ": " + note;
   const auto body = nlohmann::json::parse(ask.body, nullptr, false);

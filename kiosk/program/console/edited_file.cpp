@@ -283,6 +283,14 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
   return out;
 }
 
+changes::Draft EditedFile::checked(const std::string& text,
+                                   const std::vector<changes::Change>& wanted,
+                                   std::vector<ChangeFault>& faults) const {
+  changes::Draft draft = draft_of(text, wanted, faults);
+  for (ChangeFault& fault : faults_of(draft, text)) faults.push_back(std::move(fault));
+  return draft;
+}
+
 std::vector<ChangeFault> EditedFile::gaps(const std::string& text) const {
   std::vector<ChangeFault> out;
   const LineKeys lines(text, path_.string());

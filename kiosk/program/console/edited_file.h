@@ -44,6 +44,9 @@ class EditedFile {
   /// `text` with `wanted`; what cannot be made is left out, and told in `faults`.
   changes::Draft draft_of(const std::string& text, const std::vector<changes::Change>& wanted,
                           std::vector<ChangeFault>& faults) const;
+  /// The same, and `faults` has faults_of() as well.
+  changes::Draft checked(const std::string& text, const std::vector<changes::Change>& wanted,
+                         std::vector<ChangeFault>& faults) const;
   /// What is absent or wrong in the file as it is, where a field of it is meant.
   std::vector<ChangeFault> gaps(const std::string& text) const;
   /// What the file's own reader, as `onggi check` uses it, finds wrong in `draft` and not in

@@ -43,6 +43,7 @@ const PageFile kPageFiles[] = {{"/base.js", kScript, k_base_js},
                                {"/lists.js", kScript, k_lists_js},
                                {"/scenes.js", kScript, k_scenes_js},
                                {"/words.js", kScript, k_words_js},
+                               {"/look.js", kScript, k_look_js},
                                {"/staff.js", kScript, k_staff_js},
                                {"/print.js", kScript, k_print_js},
                                {"/door.js", kScript, k_door_js},
@@ -55,6 +56,7 @@ constexpr const char* kPrices = "/api/prices/";
 constexpr const char* kTrial = "/api/trial/";
 constexpr const char* kScan = "/api/scan";
 constexpr const char* kSheet = "/sheet/";
+constexpr const char *kScreens = "/api/screen", *kScreenPicture = "/screen/";
 constexpr const char* kFile = "application/octet-stream";
 
 bool is_read(const web::Ask& ask) { return ask.method == "GET" || ask.method == "HEAD"; }
@@ -66,7 +68,8 @@ bool brings_file(const web::Ask& ask) {
 
 /// True of what editors alone see and do.
 bool is_of_editors(const std::string& path) {
-  constexpr const char* kEditorsFolders[] = {kScan, "/api/upload", kEdit, kPrices, kSheet, kTrial};
+  constexpr const char* kEditorsFolders[] = {kScan,  "/api/upload", kEdit,    kPrices,
+                                             kSheet, kTrial,        kScreens, kScreenPicture};
   constexpr const char* kEditorsOwn[] = {"/api/scenes", "/api/shelf", "/api/revisions",
                                          "/api/saved", "/api/undo"};
   return std::ranges::any_of(kEditorsFolders,
@@ -327,6 +330,9 @@ web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path)
   if (path == kScan) return scans_.state(ask);
   if (path.starts_with(kSheet))
     return edit_.sheet(ask, decoded(path.substr(std::string_view(kSheet).size())));
+  if (path == kScreens) return screens_.drawn(ask);
+  if (const auto parts = parts_of(path); path.starts_with(kScreenPicture) && parts.size() == 3)
+    return screens_.picture(parts[1], parts[2]);
   if (path == "/api/scenes") return scenes_.scenes(ask);
   if (path.starts_with(kPrices))
     return scenes_.prices(ask, decoded(path.substr(std::string_view(kPrices).size())));
@@ -338,6 +344,8 @@ web::Answer StaffAnswers::get_edit(const web::Ask& ask, const std::string& path)
 web::Answer StaffAnswers::post_edit(const web::Ask& ask, const Session& session) {
   if (ask.target == "/api/undo") return edit_.undo(ask, session.who, parts_.clock());
   if (brings_file(ask)) return scans_.took(ask);
+  if (ask.target == kScreens) return screens_.draw(ask);
+  if (ask.target == std::string(kScreens) + "/stop") return screens_.stop();
   if (ask.target.starts_with(kTrial))
     return edit_.end_trial(ask, ask.target.substr(std::string_view(kTrial).size()), session.who,
                            parts_.clock());

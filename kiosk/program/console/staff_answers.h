@@ -23,6 +23,7 @@
 #include "kiosk/program/console/people.h"
 #include "kiosk/program/console/scan_answers.h"
 #include "kiosk/program/console/scene_answers.h"
+#include "kiosk/program/console/screen_answers.h"
 #include "kiosk/program/console/site.h"
 
 namespace onggi::console {
@@ -56,18 +57,19 @@ namespace onggi::console {
 ///   GET  /outline/ID             one of them from the side
 ///   GET  /sheet/ID           (e) section and view of it, drawn
 ///   GET  /api/scenes         (e) the scenes: what each is for, who plays it
-///   GET  /api/prices/NAME    (e) what its effects cost on this machine
-///   POST /api/prices/NAME    (e) measures that anew
-///   POST /api/upload?name=&first=1   (e) a file of a scan, as it is
-///   GET  /api/scan           (e) what has arrived, and what is in it
-///   POST /api/scan/look      (e) begins to read it
-///   POST /api/scan/place     (e) {vessel, id, turned_over, height_mm}: begins to put it on the
-///   shelf POST /api/scan/forget    (e) deletes what has arrived GET  /api/people         (e) names
-///   and roles POST /api/people         (e) {name, role, passphrase}: adds or changes somebody POST
-///   /api/people/NAME/remove (e) GET  /api/changes        (e) who changed what, newest first
+///   POST /api/screen         (e) {screen, language, vessel, comfort, file, changes}: begins to
+///   draw GET  /api/screen?number= (e) what came of it POST /api/screen/stop    (e) ends it GET
+///   /screen/NUMBER/N    (e) one of its pictures GET  /api/prices/NAME    (e) what its effects cost
+///   on this machine POST /api/prices/NAME    (e) measures that anew POST /api/upload?name=&first=1
+///   (e) a file of a scan, as it is GET  /api/scan           (e) what has arrived, and what is in
+///   it POST /api/scan/look      (e) begins to read it POST /api/scan/place     (e) {vessel, id,
+///   turned_over, height_mm}: begins to shelve it POST /api/scan/forget    (e) deletes what has
+///   arrived GET  /api/people         (e) names and roles POST /api/people         (e) {name, role,
+///   passphrase}: adds or changes somebody POST /api/people/NAME/remove (e) GET  /api/changes (e)
+///   who changed what, newest first
 /// A POST needs a JSON body (a file: application/octet-stream), and the page's own address as its
-/// Origin. A Host that is not one of
-/// the program's is refused, so that no other site's name can lead here. One thread.
+/// Origin. A Host that is not one of the program's is refused, so that no other site's name can
+/// lead here. One thread.
 class StaffAnswers final : public web::Answering {
  public:
   /// What it works with.
@@ -81,6 +83,7 @@ class StaffAnswers final : public web::Answering {
     std::filesystem::path scans;          ///< one for scans on their way to the shelf,
     std::filesystem::path sheets;         ///< one for the drawn sheets of vessels,
     std::filesystem::path trial;          ///< and a file for the change that is tried.
+    std::filesystem::path screens{};      ///< The socket of the service that draws; "": none.
     std::function<std::int64_t()> clock;  ///< s since 1970.
     /// Gets what the staff should know of a file.
     std::function<void(const Problem&)> tell = files::log_problem;
@@ -92,6 +95,7 @@ class StaffAnswers final : public web::Answering {
         edit_(parts_.site, parts_.onggi, parts_.sheets, parts_.trial),
         scenes_(parts_.site, ScenePrices(parts_.onggi, parts_.prices)),
         scans_(parts_.site, ScanInbox(parts_.onggi, parts_.scans)),
+        screens_(parts_.site, ScreenDrawer(parts_.onggi, parts_.screens)),
         notice_(parts_.site.exhibit().keepsake.folder) {}
   StaffAnswers(const StaffAnswers&) = delete;
   StaffAnswers& operator=(const StaffAnswers&) = delete;
@@ -145,6 +149,7 @@ class StaffAnswers final : public web::Answering {
   EditAnswers edit_;
   SceneAnswers scenes_;
   ScanAnswers scans_;
+  ScreenAnswers screens_;
   std::optional<Door> door_;
   std::vector<std::string> hosts_;
   souvenir::StaffNotice notice_;

@@ -14,6 +14,7 @@ extern const char* const k_lists_js;
 extern const char* const k_scan_js;
 extern const char* const k_scenes_js;
 extern const char* const k_words_js;
+extern const char* const k_look_js;
 extern const char* const k_staff_js;
 extern const char* const k_print_js;
 extern const char* const k_door_js;

@@ -3,7 +3,7 @@
 
 const PARTS = ["now", "desk", "figures", "settings", "shelf", "scenes", "lists", "words", "files", "people"];
 const FOR_EDITORS = ["settings", "shelf", "scenes", "lists", "words", "people"];
-const EDITORS_FILES = ["edit", "settings", "shelf", "scan", "scenes", "lists", "words"]; // in this order
+const EDITORS_FILES = ["edit", "settings", "shelf", "scan", "scenes", "lists", "words", "look"]; // in this order
 const EVERY = 2000; // ms between two looks at the kiosk
 
 // ---- Now

@@ -1,0 +1,106 @@
+// Seen first: a screen as visitors would see it, with what is typed and not saved yet. The kiosk's own program draws it.
+"use strict";
+
+const SCREENS = {
+  attract: "The first screen", language: "The choice of language", choose: "The shelf", comfort: "Accessibility", label: "A label",
+  throw: "At the wheel", help: "Help at the wheel", result: "The result", decorate: "Decorating", kiln: "The kiln", keepsake: "The keepsake",
+};
+const COMFORTS = {
+  larger_text: "Larger text", high_contrast: "High contrast", low_reach: "Low reach", left_handed: "Left hand", reduced_motion: "Less motion", one_switch: "One switch",
+};
+const SECONDS = { throw: 8, help: 7, result: 11, decorate: 12, kiln: 12, keepsake: 15 }; // on a quiet machine without a graphics card; others 6
+let looking = null; // {edit, turn}: the form whose changes are seen
+
+/** The screen that shows best what a file is about. */
+function screenFor(edit) {
+  if (edit === shelfEdit || edit.name === "missions") return "choose";
+  if (edit.name.startsWith("vessel/")) return "label";
+  if (edit.name === "glazes") return "kiln";
+  return edit === sceneChoice || edit.name.startsWith("scene/") || LISTS[edit.name] ? "throw" : "attract";
+}
+const chosen = (place, all, now) => {
+  place.replaceChildren(...all.map(([value, words]) => made("option", { value }, words)));
+  if (all.some(([value]) => value === now)) place.value = now;
+};
+
+async function openLook(edit) {
+  if (looking) return; // a second click
+  looking = { edit, turn: 0 };
+  $("look-words").replaceChildren();
+  $("look-pictures").replaceChildren();
+  $("look").showModal();
+  try {
+    const [exhibit, shelf] = await Promise.all([ask("/api/edit/exhibit"), ask("/api/shelf")]);
+    if (looking?.edit !== edit) return;
+    const of = edit.name === "exhibit" ? (key) => edit.now(key) : (key) => exhibit.values[key];
+    const languages = of("languages") ?? ["en", "ko"], hidden = of("hidden") ?? [];
+    const seen = shelf.filter(({ id, unfinished }) => !hidden.includes(id) && !unfinished);
+    const title = ({ id, titles }) => titles[languages[0]] || titles.en || id.replaceAll("_", " ");
+    chosen($("look-screen"), Object.entries(SCREENS), screenFor(edit));
+    chosen($("look-language"), languages.map((code) => [code, languageName(code)]), edit.name.startsWith("language/") ? edit.name.slice(9) : languages[0]);
+    chosen($("look-vessel"), seen.map((vessel) => [vessel.id, title(vessel)]), edit.name.startsWith("vessel/") ? edit.name.slice(7) : undefined);
+    chosen($("look-comfort"), [["", "As every visit begins"], ...Object.entries(COMFORTS)], "");
+    drawLook();
+  } catch (error) {
+    tell($("look-words"), error);
+  }
+}
+
+/** Draws what is chosen, and again when a visitor has gone who came between. */
+async function drawLook() {
+  const at = looking, turn = ++at.turn, current = () => looking === at && at.turn === turn;
+  const place = $("look-words"), screen = $("look-screen").value;
+  $("look-vessel").disabled = ["attract", "language", "choose", "comfort"].includes(screen);
+  $("look-pictures").classList.add("old");
+  const file = at.edit.file ? { file: at.edit.name, changes: at.edit.list() } : {};
+  while (current()) {
+    try {
+      await ask("/api/screen/stop", {});
+      const { number } = await ask("/api/screen", { screen, language: $("look-language").value, comfort: $("look-comfort").value,
+        vessel: $("look-vessel").disabled ? "" : $("look-vessel").value, ...file });
+      const drawn = await drawnLook(number, SECONDS[screen] ?? 6, current);
+      if (!current()) return;
+      if (drawn.what) return tell(place, Object.assign(new Error(drawn.what), { remedy: drawn.remedy }));
+      if (drawn.pictures.length > 0) return showLook(drawn.pictures);
+    } catch (error) {
+      if (!current()) return;
+      if (error.said?.faults) return tell(place, Object.assign(new Error(error.said.faults[0].what), { remedy: error.said.faults[0].remedy }));
+      if (error.status === 409 && error.said.visitor) tell(place, error);
+      else if (error.status !== 503) return tell(place, error);
+    }
+    await new Promise((done) => setTimeout(done, 1000));
+  }
+}
+async function drawnLook(number, usual, current) {
+  for (let half = 0; ; ++half) {
+    const now = await ask("/api/screen?number=" + number);
+    if (!now.drawing || !current()) return now;
+    const seconds = Math.floor(half / 2);
+    if (half > 0) $("look-words").replaceChildren(`The kiosk’s program draws it… ${seconds} s${seconds > 2 * usual ? ", more than usual: the machine is busy" : ` of about ${usual}`}`);
+    await new Promise((done) => setTimeout(done, 500));
+  }
+}
+function showLook(pictures) {
+  const changed = looking.edit.dirty ? "With what is not saved yet. Nothing is changed." : "As it is now.";
+  $("look-words").replaceChildren(changed);
+  $("look-pictures").classList.remove("old");
+  $("look-pictures").replaceChildren(...pictures.map(({ at, width, height }) => {
+    const words = `${width > height ? "Landscape" : "Portrait"}, ${width} × ${height}`;
+    const link = made("a", { href: at, target: "_blank", rel: "noopener" }, made("img", { src: at, alt: `${$("look-screen").selectedOptions[0].textContent}, ${words}`, width, height }));
+    return made("figure", { className: width > height ? "landscape" : "portrait" }, link, made("figcaption", { className: "small" }, words));
+  }));
+}
+function closeLook() {
+  if (!looking) return;
+  looking = null;
+  ask("/api/screen/stop", {}).catch(() => {});
+}
+
+for (const one of ["screen", "language", "vessel", "comfort"]) $("look-" + one).addEventListener("change", drawLook);
+$("look-close").addEventListener("click", () => $("look").close());
+$("look").addEventListener("close", closeLook);
+for (const button of document.querySelectorAll(".bar .see"))
+  button.addEventListener("click", () => {
+    const edit = edits.find((one) => button.parentElement.contains(one.buttons[0]) && !one.gone);
+    if (edit?.file) openLook(edit);
+  });
