@@ -23,7 +23,7 @@ def output(*command, **kept):
 
 class Services(unittest.TestCase):
     def test_each_is_exposed_less_than_3_by_systemds_own_reckoning(self):
-        self.assertEqual(len(UNITS), 5)
+        self.assertEqual(len(UNITS), 6)
         for unit in UNITS:
             told = output("systemd-analyze", "security", "--offline=yes", unit).stdout
             exposed = re.search(r"exposure level for \S+: ([0-9.]+)", told)
@@ -33,7 +33,7 @@ class Services(unittest.TestCase):
     def test_systemd_understands_every_line(self):
         # The programs and the manual are not installed here, so that copies name ones that are.
         with tempfile.TemporaryDirectory() as folder:
-            for unit in UNITS:
+            for unit in [*UNITS, *(PACKAGE / "system").glob("*.socket")]:
                 text = re.sub(r"^ExecStart=.*", "ExecStart=/bin/true", unit.read_text(), flags=re.M)
                 text = re.sub(r"^Documentation=.*\n", "", text, flags=re.M)
                 (pathlib.Path(folder) / unit.name).write_text(text)
@@ -58,6 +58,7 @@ class Services(unittest.TestCase):
         self.assertEqual(users["onggi-phone"], ("onggi-phone", {"onggi-keepsakes"}))
         self.assertEqual(users["onggi-console"], ("onggi-console", {"onggi", "onggi-keepsakes", "onggi-site"}))
         self.assertEqual(users["onggi-staff-web"], ("onggi-staff-web", {"onggi-console"}))
+        self.assertEqual(users["onggi-screen@"], ("onggi-screen", {"onggi-site"}))
         self.assertEqual(users["onggi"], ("onggi", {"video", "render", "onggi-keepsakes"}))
         made = (PACKAGE / "system/sysusers.conf").read_text()
         for user, groups in users.values():
@@ -65,6 +66,14 @@ class Services(unittest.TestCase):
             for group in groups:
                 if group.startswith("onggi"):
                     self.assertRegex(made, rf"(?m)^[ug] {group} -")
+
+    def test_screens_are_drawn_by_who_writes_nothing_and_only_when_nothing_else_is_done(self):
+        screen = (PACKAGE / "system/onggi-screen@.service").read_text()
+        self.assertNotIn("ReadWritePaths", screen)
+        for line in ("ProtectSystem=strict", "PrivateNetwork=yes", "CPUWeight=idle"):
+            self.assertIn(f"\n{line}\n", screen)
+        place = re.search(r"^ListenStream=(.*)", (PACKAGE / "system/onggi-screen.socket").read_text(), flags=re.M)[1]
+        self.assertIn("--screens " + place, (PACKAGE / "system/onggi-console.service").read_text())
 
     def test_the_kiosk_may_write_nowhere_but_where_keepsakes_go(self):
         text = (PACKAGE / "system/onggi.service").read_text()

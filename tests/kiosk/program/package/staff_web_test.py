@@ -16,6 +16,7 @@ import ssl
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 import warnings
@@ -26,7 +27,7 @@ STAFF, DESK, EVE = "127.0.0.2", "127.0.0.3", "127.0.0.4"  # the page's address, 
 NGINX, OPENSSL = shutil.which("nginx", path="/usr/sbin:/usr/bin"), shutil.which("openssl")
 # Numbers for the users and groups of the units, where root can become them; else all is this user's.
 NUMBERS = {"onggi": 64101, "onggi-phone": 64102, "onggi-console": 64103, "onggi-keepsakes": 64105, "onggi-site": 64106, "onggi-staff-web": 64107,
-           "video": 64108, "render": 64109}
+           "video": 64108, "render": 64109, "onggi-screen": 64110}
 OTHER_USER = 64104
 NAME, PASSPHRASE = "maria.k", "four words of hers"
 
@@ -72,6 +73,39 @@ def image(root):
         shutil.copy(unit, units)
 
 
+class ScreenSocket:
+    """As systemd serves onggi-screen.socket: a process for each connection, which is its standard input and output."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        folder.mkdir()
+        self.at = folder / "page.sock"
+        self.listening = socket.socket(socket.AF_UNIX)
+        self.listening.bind(str(self.at))
+        self.listening.listen()
+        os.chown(self.at, os.getuid(), number("onggi-console", os.getgid()))
+        self.at.chmod(0o660)
+        self.processes = []
+        threading.Thread(target=self.serve, daemon=True).start()
+
+    def serve(self):
+        while True:
+            try:
+                asked, _ = self.listening.accept()
+            except OSError:
+                return
+            with asked:
+                self.processes.append(subprocess.Popen([*as_unit("onggi-screen@.service"), ARGUMENTS.onggi, "screen", "--asked"],
+                                                       stdin=asked, stdout=asked, stderr=subprocess.DEVNULL, cwd="/"))
+
+    def end(self):
+        self.listening.shutdown(socket.SHUT_RDWR)
+        self.listening.close()
+        for process in self.processes:
+            process.kill()
+            process.wait()
+
+
 class StaffWeb(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -96,7 +130,10 @@ class StaffWeb(unittest.TestCase):
             os.chown(made, number(name, os.getuid()), number(name, os.getgid()))
         cls.certificate, cls.socket = etc / "self-signed.pem", run / "page.sock"
         # As the units start them, with this test's folders in place of the machine's.
-        places = (("/etc/onggi/staff-web", str(etc)), ("/run/onggi-console", str(run)), ("/run/onggi-staff-web", str(web)))
+        places = (("/etc/onggi/staff-web", str(etc)), ("/run/onggi-console", str(run)), ("/run/onggi-staff-web", str(web)),
+                  ("/run/onggi-screen", str(cls.folder / "screen")))
+        cls.screens = ScreenSocket(cls.folder / "screen")
+        cls.addClassCleanup(cls.screens.end)
 
         def here(text):
             for place, own in places:
@@ -106,7 +143,7 @@ class StaffWeb(unittest.TestCase):
         unit = (PACKAGE / "system/onggi-console.service").read_text()
         words = re.search(r"^ExecStart=\S+ (.*)", unit, flags=re.M)[1]
         words = words.replace("${LISTEN}", here(cls.environment["LISTEN"])).replace("$ADDRESSES", cls.environment["ADDRESSES"])
-        cls.words = [ARGUMENTS.console, *words.replace("/srv/onggi", str(cls.machine / "srv/onggi")).split(),
+        cls.words = [ARGUMENTS.console, *here(words).replace("/srv/onggi", str(cls.machine / "srv/onggi")).split(),
                      "--state", str(cls.state)]
         cls.console = None
         cls.start_console()
@@ -345,6 +382,33 @@ class StaffWeb(unittest.TestCase):
                                          capture_output=True, text=True, check=False)
                 self.assertNotEqual(refused.returncode, 0, unit)
             self.assertIn("warn_after = 94", exhibit.read_text())
+
+    def draw(self):
+        status, _, said = self.change("/api/screen", {"screen": "language", "file": "exhibit", "changes": [["idle.warn_after", 77]]})
+        self.assertEqual(status, 202, said)
+        return json.loads(said)["number"]
+
+    def test_a_screen_is_drawn_by_another_user_and_ends_when_nobody_wants_it(self):
+        number_ = self.draw()
+        end = time.monotonic() + 120
+        while (drawn := json.loads(self.ask("GET", f"/api/screen?number={number_}", Cookie=self.cookie)[2]))["drawing"]:
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.2)
+        self.assertEqual(drawn["what"], "")
+        self.assertEqual([one["width"] for one in drawn["pictures"]], [1280, 1080])
+        self.draw()
+        end = time.monotonic() + 20
+        while len(self.screens.processes) < 2:
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.05)
+        process = self.screens.processes[-1]
+        if os.getuid() == 0:  # a moment after its start
+            while f"\nUid:\t{NUMBERS['onggi-screen']}\t" not in pathlib.Path(f"/proc/{process.pid}/status").read_text():
+                self.assertLess(time.monotonic(), end, "another user draws")
+                time.sleep(0.01)
+        status, _, _ = self.change("/api/screen/stop", {})
+        self.assertEqual(status, 200)
+        process.wait(timeout=20)
 
     def test_a_page_that_does_not_run_is_told_and_comes_back(self):
         self.console.terminate()
