@@ -47,7 +47,7 @@ class Tour {
   }
   /// The exhibit is without the wanted screen.
   bool lacks(const std::string& what, const std::string& remedy) {
-    walk_.fail(problem("onggi screens " + std::string(wanted_), what, remedy));
+    walk_.fail(problem("onggi screen " + std::string(wanted_), what, remedy));
     return true;
   }
   bool at(ScreenId screen) const { return kiosk_.visit().screen() == screen; }
@@ -93,8 +93,9 @@ class Tour {
   }
   bool surface() {
     if (wanted_ == "decorate" && walk_.good() && !at(ScreenId::decorate))
-      return lacks("Nobody decorates this vessel's pot.",
-                   "Name a vessel with a way in its decoration.toml, or another screen.");
+      return lacks("Nobody decorates a pot of this vessel.",
+                   "Name another screen, or a vessel with a way in its vessel.toml, of an exhibit "
+                   "with decorate = true and ways.");
     if (is("decorate")) return arrived();
     if (at(ScreenId::decorate)) {
       walk_.touch("decorate.on");

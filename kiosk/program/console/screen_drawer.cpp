@@ -78,29 +78,37 @@ std::optional<std::string> heard(int socket, const std::function<bool()>& unwant
   return std::nullopt;
 }
 
+std::string text_in(const nlohmann::json& head, const char* key) {
+  return head.contains(key) && head[key].is_string() ? head[key].get<std::string>() : "";
+}
+
+std::size_t number_in(const nlohmann::json& one, const char* key) {
+  const bool there = one.is_object() && one.contains(key) && one[key].is_number_unsigned();
+  return there ? one[key].get<std::size_t>() : 0;
+}
+
 /// The line of JSON, then the pictures' bytes.
 DrawnScreen read_screen(const std::string& said) {
+  const DrawnScreen broken =
+      failed("The screen could not be drawn.",
+             "Try again, and look at Files. If it stays so: onggi screen attract, at the machine, "
+             "says more.");
   const std::size_t line = said.find('\n');
   const auto head = nlohmann::json::parse(said.substr(0, line), nullptr, false);
-  const auto broken = [] {
-    return failed("The screen could not be drawn.",
-                  "Try again, and look at Files. If it stays so: onggi screen attract, at the "
-                  "machine, says more.");
-  };
-  if (line == std::string::npos || !head.is_object() || !head.contains("done")) return broken();
-  if (head["done"] != true)
-    return failed(head.value("what", std::string()), head.value("remedy", std::string()));
+  if (line == std::string::npos || !head.is_object()) return broken;
+  if (std::string what = text_in(head, "what"); !what.empty())
+    return failed(std::move(what), text_in(head, "remedy"));
+  if (!head.contains("pictures") || !head["pictures"].is_array()) return broken;
   DrawnScreen drawn;
   std::size_t at = line + 1;
   for (const auto& one : head["pictures"]) {
-    const std::size_t bytes = one.value("bytes", std::size_t{0});
-    if (bytes == 0 || bytes > said.size() - at) return broken();
-    drawn.pictures.push_back(
-        {one.value("width", 0), one.value("height", 0), said.substr(at, bytes)});
+    const std::size_t bytes = number_in(one, "bytes");
+    if (bytes == 0 || bytes > said.size() - at) return broken;
+    drawn.pictures.push_back({static_cast<int>(number_in(one, "width")),
+                              static_cast<int>(number_in(one, "height")), said.substr(at, bytes)});
     at += bytes;
   }
-  if (drawn.pictures.empty()) return broken();
-  return drawn;
+  return drawn.pictures.empty() ? broken : drawn;
 }
 
 DrawnScreen drawn_over(int socket, const std::function<bool()>& unwanted) {

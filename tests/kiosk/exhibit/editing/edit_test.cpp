@@ -40,6 +40,16 @@ void expect_refused(const Done& done, const std::string& what, const SmallSite& 
   EXPECT_EQ(site.texts(), before);
 }
 
+TEST(edit, is_thought_of_without_being_made) {
+  const SmallSite site;
+  const auto before = site.texts();
+  const auto draft = with_changes(site.exhibit(), {{.key = "idle.warn_after", .value = "90"}});
+  ASSERT_TRUE(draft) << to_text(draft.error());
+  EXPECT_EQ(draft->text, replaced(content(site.exhibit()), "warn_after = 60 ", "warn_after = 90 "));
+  EXPECT_EQ(site.texts(), before);
+  EXPECT_FALSE(with_changes(site.exhibit(), {{.key = "idle.warn", .value = "90"}}));
+}
+
 TEST(edit, changes_one_value_and_undo_gives_back_every_byte) {
   const SmallSite site;
   const std::string before = content(site.exhibit());
