@@ -26,10 +26,9 @@ using files::ChildProcess;
 using files::Descriptor;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostOfAScreen = 32u << 20;  // bytes of some pictures
-constexpr auto kScreenPatience =
-    std::chrono::minutes(3);    // a keepsake takes 15 s on a quiet machine
-constexpr int kAskEvery = 200;  // ms
+constexpr std::size_t kMostOfAScreen = 32u << 20;           // bytes of some pictures
+constexpr auto kScreenPatience = std::chrono::minutes(10);  // 15 s on a quiet machine
+constexpr int kAskEvery = 200;                              // ms
 
 DrawnScreen failed(std::string what, std::string remedy) {
   DrawnScreen drawn;
