@@ -5,13 +5,15 @@
 
 namespace onggi::console {
 
-web::Answer answer_of(const std::vector<ChangeFault>& faults) {
+web::Answer answer_of(const std::vector<ChangeFault>& faults, int status) {
   using files::Json;
   Json list = Json::list();
   for (const ChangeFault& fault : faults)
     list.push_back(
         Json::object({{"key", fault.key}, {"what", fault.what}, {"remedy", fault.remedy}}));
-  return json(Json::object({{"faults", list}}));
+  web::Answer answer = json(Json::object({{"faults", list}}));
+  answer.status = status;
+  return answer;
 }
 
 ChangeWords words_of(const changes::Draft& draft) {

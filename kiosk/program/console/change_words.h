@@ -9,7 +9,7 @@
 namespace onggi::console {
 
 /// {"faults": [{key, what, remedy}]}
-web::Answer answer_of(const std::vector<ChangeFault>& faults);
+web::Answer answer_of(const std::vector<ChangeFault>& faults, int status = 200);
 
 /// The changes of a draft as `onggi set` and `onggi screen` take them.
 struct ChangeWords {

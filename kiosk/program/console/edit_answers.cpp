@@ -111,11 +111,7 @@ web::Answer EditAnswers::save(const web::Ask& ask, const std::string& name, cons
                    "Look at both, and save again.");
   std::vector<ChangeFault> faults;
   const changes::Draft draft = edited->checked(*text, *wanted, faults);
-  if (!faults.empty()) {
-    web::Answer answer = answer_of(faults);
-    answer.status = 409;
-    return answer;
-  }
+  if (!faults.empty()) return answer_of(faults, 409);
   if (auto busy = refused_while_trying()) return std::move(*busy);
   if (draft.values.empty())
     return refused(409, "It is so already.", "There is nothing to save: load this page again.");

@@ -81,11 +81,7 @@ web::Answer ScreenAnswers::draw(const web::Ask& ask) {
     if (!text) return refused(404, "There is no such file here any more.", "Load this page again.");
     std::vector<ChangeFault> faults;
     const changes::Draft draft = edited->checked(*text, *wanted, faults);
-    if (!faults.empty()) {
-      web::Answer answer = answer_of(faults);
-      answer.status = 409;
-      return answer;
-    }
+    if (!faults.empty()) return answer_of(faults, 409);
     change = words_of(draft);
     if (!draft.values.empty()) words.insert(words.end(), {"--of", edited->path().string()});
   }

@@ -9,7 +9,7 @@ import time
 
 import staff_site
 
-PATIENCE = 120  # s: a keepsake takes 15 s of two quiet cores
+PATIENCE = 300  # s: it takes 6 s of two quiet cores, and waits while anything else wants one
 ENDED = 20      # s until a process that is not wanted is gone
 
 

@@ -390,7 +390,7 @@ class StaffWeb(unittest.TestCase):
 
     def test_a_screen_is_drawn_by_another_user_and_ends_when_nobody_wants_it(self):
         number_ = self.draw()
-        end = time.monotonic() + 120
+        end = time.monotonic() + 300
         while (drawn := json.loads(self.ask("GET", f"/api/screen?number={number_}", Cookie=self.cookie)[2]))["drawing"]:
             self.assertLess(time.monotonic(), end)
             time.sleep(0.2)
