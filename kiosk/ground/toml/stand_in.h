@@ -14,6 +14,8 @@ class StandIn {
   ~StandIn();
   StandIn(const StandIn&) = delete;
   StandIn& operator=(const StandIn&) = delete;
+  /// Somebody has read `file` since. Any thread.
+  bool was_read() const;
 };
 
 /// The text that stands in for `file` now, or null. For read_toml_text().

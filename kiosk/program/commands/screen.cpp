@@ -56,6 +56,7 @@ Result<void> be_one_of(const std::string& name, const std::vector<std::string>& 
 struct Size {
   int width = 0, height = 0;
 };
+constexpr int kLargestSide = 4096;  // pixels: Renderer::draw_offscreen()
 
 Result<std::vector<Size>> sizes_of(const std::string& list) {
   std::vector<Size> sizes;
@@ -66,6 +67,9 @@ Result<std::vector<Size>> sizes_of(const std::string& list) {
       good.error().remedy = "For example: --sizes 1280x720,1080x1920.";
       return tl::unexpected(good.error());
     }
+    if (read.width > kLargestSide || read.height > kLargestSide)
+      return problem("--sizes " + size, "A picture has at most 4096 pixels a side.",
+                     "For example: --sizes 3840x2160.");
     sizes.push_back({read.width, read.height});
   }
   if (sizes.empty())
@@ -95,6 +99,8 @@ struct Drawn {
 Result<Drawn> draw(const ScreenArguments& arguments, const std::vector<Size>& sizes) {
   const auto config = files::exhibit_file(arguments.config);
   if (!config) return tl::unexpected(config.error());
+  if (arguments.screen.empty())
+    return problem("onggi screen", "No screen is named.", "For example: onggi screen attract.");
   std::vector<std::string> known;
   for (const std::string_view one : rehearsal::toured_screens()) known.emplace_back(one);
   if (auto good = be_one_of(arguments.screen, known, "onggi screen ", "screen"); !good)
@@ -126,6 +132,10 @@ Result<Drawn> draw(const ScreenArguments& arguments, const std::vector<Size>& si
   if (!card) return tl::unexpected(card.error());
   if (auto good = rehearsal::lead_to(kiosk, arguments.screen, *card); !good)
     return tl::unexpected(good.error());
+
+  if (*stand_in && !(*stand_in)->was_read())
+    return problem(arguments.of, "This exhibit does not use this file.",
+                   "Nothing of it would be seen: name another, or let the exhibit use it first.");
 
   Drawn drawn;
   drawn.language = kiosk.visit().language();

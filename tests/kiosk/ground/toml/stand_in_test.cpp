@@ -24,7 +24,10 @@ TEST(stand_in, is_read_by_every_name_of_its_file_while_it_lives_and_no_longer) {
   std::filesystem::create_symlink("a.toml", folder / "link.toml");
   {
     const StandIn change(folder / "a.toml", "a = 46\n");
+    EXPECT_EQ(value_in(folder / "b.toml"), 2);
+    EXPECT_FALSE(change.was_read());
     EXPECT_EQ(value_in(folder / "a.toml"), 46);
+    EXPECT_TRUE(change.was_read());
     EXPECT_EQ(value_in(folder / "." / "link.toml"), 46);
     EXPECT_EQ(value_in(folder / "b.toml"), 2);
     EXPECT_EQ(value_in(folder / "c.toml"), -1);

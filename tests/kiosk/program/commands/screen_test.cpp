@@ -88,6 +88,11 @@ TEST_F(Screen, ThatCannotBeIsToldWithTheNearestName) {
   told("label --vessel moonjar", "Did you mean moon_jar?");
   told("label --language xx", "xx");
   told("label --sizes 12x12", "320x240");
+  told("label --sizes 7680x4320", "at most 4096 pixels");
+  told("", "No screen is named");
+  const std::string other = (folder_ / "other.toml").string();
+  std::ofstream(other) << "credit = \"Another museum\"\n";
+  told("comfort --sizes 320x240 --of " + other + " credit Mine", "does not use this file");
   told("label title.en Pot", "--of config/exhibit.toml");
   told("label --of " + exhibit_ + " titel.en Pot", "not a key of this file");
   told("label --of " + exhibit_ + " title.en", "has no value");
