@@ -76,9 +76,12 @@ web::Answer ScreenAnswers::draw(const web::Ask& ask) {
   ChangeWords change;
   if (!name.empty()) {
     const auto edited = EditedFile::find(site_, name);
-    const auto wanted = edited ? edited->changes_in(ask.body) : std::nullopt;
-    const auto text = wanted ? edited->text() : tl::unexpected(Problem{});
-    if (!text) return refused(404, "There is no such file here any more.", "Load this page again.");
+    if (!edited)
+      return refused(404, "There is no such file here any more.", "Load this page again.");
+    const auto wanted = edited->changes_in(ask.body);
+    if (!wanted) return refused(409, "This is no change.", "Load this page again.");
+    const auto text = edited->text();
+    if (!text) return refused(409, text.error());
     std::vector<ChangeFault> faults;
     const changes::Draft draft = edited->checked(*text, *wanted, faults);
     if (!faults.empty()) return answer_of(faults, 409);

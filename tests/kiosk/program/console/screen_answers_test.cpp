@@ -102,7 +102,7 @@ TEST_F(Screens, ThatCannotBeAreRefusedBeforeAnythingBegins) {
   expect_refused(R"({"screen": "label", "vessel": "-x"})", 409, "no choice");
   expect_refused(R"({"screen": "label", "language": "../ko"})", 409, "no choice");
   expect_refused(R"({"screen": "label", "file": "passwd", "changes": []})", 404, "no such file");
-  expect_refused(R"({"screen": "label", "file": "exhibit"})", 404, "no such file");
+  expect_refused(R"({"screen": "label", "file": "exhibit"})", 409, "no change");
   expect_refused(R"({"screen": "label", "file": "exhibit", "changes": [["idle.warn_after", 5]]})",
                  409, "smallest allowed value");
   expect_refused(R"({"screen": "label", "file": "exhibit", "changes": [["shelf", "/"]]})", 409,
