@@ -101,8 +101,9 @@ def staff():
             "/figures.svg", "/api/keepsakes?day=2026-05-28", "/api/keepsakes?name=blue+heron%20x", "/api/people",
             f"/keepsake/{visit}/postcard.jpg", f"/print/{visit}", "/api/changes", "/api/door",
             "/api/edit/exhibit", "/api/edit/vessel/jar", "/api/edit/vessel/..", "/api/shelf", "/api/saved", "/api/revisions",
-            "/outline/jar", "/api/scenes", "/api/prices/soft", "/api/edit/scene/soft", "/api/edit/language/en"]
-    posts = [("/api/enter", {"name": "maria", "passphrase": "three wet sponges"}), (f"/api/keepsakes/{visit}/delete", {}),
+            "/outline/jar", "/api/screen?number=1", "/screen/1/0", "/api/scenes", "/api/prices/soft", "/api/edit/scene/soft", "/api/edit/language/en"]
+    posts = [("/api/screen", {"screen": "label", "vessel": "jar", "file": "exhibit", "changes": [["idle.warn_after", 90]]}),
+             ("/api/screen/stop", {}), ("/api/enter", {"name": "maria", "passphrase": "three wet sponges"}), (f"/api/keepsakes/{visit}/delete", {}),
              (f"/api/keepsakes/{visit}/pass", {}), ("/api/people/maria/remove", {}), ("/api/passphrase", {"old": "", "new": ""}),
              ("/api/people", {"name": "maria", "role": "desk", "passphrase": "short"}), ("/api/undo", {}),
              ("/api/edit/exhibit/check", {"changes": [["idle.warn_after", 90], ["hours.exceptions.12-25", "closed"]]}),

@@ -126,7 +126,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       text_of(world.site / "content/languages/en.toml") != kWords ||
       !fs::exists(world.site / "outside"))
     std::abort();
-  for (const char* of_editors : {"/api/edit/", "/api/prices/", "/api/scenes"})
+  for (const char* of_editors :
+       {"/api/edit/", "/api/prices/", "/api/scenes", "/api/screen", "/screen/"})
     if (!inside && ask.target.starts_with(of_editors) && answer.status < 400) std::abort();
   world.put_back();
   return 0;
