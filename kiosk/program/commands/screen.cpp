@@ -62,7 +62,7 @@ Result<std::vector<Size>> sizes_of(const std::string& list) {
   std::vector<Size> sizes;
   for (const std::string& size : parts_of(list)) {
     render::WindowOptions read;
-    if (auto good = render::read_window_size(size, read); !good) {
+    if (auto good = render::read_window_size(size.empty() ? "?" : size, read); !good) {
       good.error().where = "--sizes " + size;
       good.error().remedy = "For example: --sizes 1280x720,1080x1920.";
       return tl::unexpected(good.error());

@@ -42,6 +42,13 @@ bool is_name(const std::string& word) {
          !word.starts_with('-');
 }
 
+/// True of a folder on the shelf, in any script.
+bool is_folder(const std::string& word) {
+  return !word.starts_with('-') && std::ranges::all_of(word, [](char c) {
+    return static_cast<unsigned char>(c) >= ' ' && c != '/';
+  });
+}
+
 /// A number of a drawing, or of a picture; -1: none.
 int number_in(std::string_view text) {
   int number = -1;
@@ -67,7 +74,8 @@ web::Answer ScreenAnswers::draw(const web::Ask& ask) {
   std::vector<std::string> words{"--config", site_.file().string(), "--sizes", kSizes};
   for (const char* option : {"language", "vessel", "comfort"}) {
     const std::string value = said[option];
-    if (!is_name(value)) return refused(409, "This is no choice.", "Load this page again.");
+    if (option == std::string_view("vessel") ? !is_folder(value) : !is_name(value))
+      return refused(409, "This is no choice.", "Load this page again.");
     if (!value.empty()) words.insert(words.end(), {std::string("--") + option, value});
   }
   const std::string screen = said["screen"], name = said["file"];

@@ -88,6 +88,8 @@ TEST_F(Screen, ThatCannotBeIsToldWithTheNearestName) {
   told("label --vessel moonjar", "Did you mean moon_jar?");
   told("label --language xx", "xx");
   told("label --sizes 12x12", "320x240");
+  told("label --sizes ,", "320x240");
+  told("label --sizes 1280x720,,640x480", "320x240");
   told("label --sizes 7680x4320", "at most 4096 pixels");
   told("", "No screen is named");
   const std::string other = (folder_ / "other.toml").string();

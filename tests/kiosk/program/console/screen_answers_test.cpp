@@ -107,7 +107,9 @@ TEST_F(Screens, ThatCannotBeAreRefusedBeforeAnythingBegins) {
                  409, "smallest allowed value");
   expect_refused(R"({"screen": "label", "file": "exhibit", "changes": [["shelf", "/"]]})", 409,
                  "faults");
+  expect_refused(R"({"screen": "label", "vessel": "../jar"})", 409, "no choice");
   EXPECT_FALSE(fs::exists(words()));
+  EXPECT_EQ(end_of(begun(R"({"screen": "label", "vessel": "달 항아리"})"))["pictures"].size(), 1u);
   EXPECT_EQ(end_of(begun(R"({"screen": "label"})"))["pictures"].size(), 1u) << "and this one can";
 }
 
