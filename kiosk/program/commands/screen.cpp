@@ -2,12 +2,15 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "engine/base/nearest_name.h"
 #include "engine/base/plain_text.h"
+#include "kiosk/collection/content/pack.h"
+#include "kiosk/collection/settings/exhibit.h"
 #include "kiosk/exhibit/composition/kiosk.h"
 #include "kiosk/exhibit/editing/edit.h"
 #include "kiosk/exhibit/rehearsal/screen_tour.h"
@@ -91,6 +94,17 @@ Result<std::unique_ptr<toml::StandIn>> changed(const ScreenArguments& arguments)
   return std::make_unique<toml::StandIn>(arguments.of, draft->text);
 }
 
+/// The folder of the vessel `id`, if visitors do not see it yet or any more: a shelf of its own.
+std::optional<fs::path> unseen_vessel(const fs::path& config, const std::string& id) {
+  if (id.empty()) return std::nullopt;
+  const settings::Exhibit exhibit = settings::read_exhibit(config).exhibit;
+  const fs::path folder = exhibit.shelf / id;
+  const bool hidden = std::ranges::find(exhibit.hidden, id) != exhibit.hidden.end();
+  std::error_code gone;
+  if (!fs::exists(folder / "vessel.toml", gone)) return std::nullopt;
+  return hidden || content::is_unfinished(folder) ? std::optional(folder) : std::nullopt;
+}
+
 struct Drawn {
   std::string language;
   std::vector<view::Image> pictures;
@@ -122,6 +136,7 @@ Result<Drawn> draw(const ScreenArguments& arguments, const std::vector<Size>& si
   options.devices = false;
   options.language = arguments.language;
   options.keepsakes = keepsakes->path();
+  options.shelf = unseen_vessel(*config, arguments.vessel);
   options.window = {.width = sizes.front().width, .height = sizes.front().height, .visible = false};
   auto display = files::VirtualDisplay::ensure(options.window.width, options.window.height);
   if (!display) return tl::unexpected(display.error());

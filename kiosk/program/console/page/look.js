@@ -34,11 +34,12 @@ async function openLook(edit) {
     if (looking?.edit !== edit) return;
     const of = edit.name === "exhibit" ? (key) => edit.now(key) : (key) => exhibit.values[key];
     const languages = of("languages") ?? ["en", "ko"], hidden = of("hidden") ?? [];
-    const seen = shelf.filter(({ id, unfinished }) => !hidden.includes(id) && !unfinished);
+    const own = edit.name.startsWith("vessel/") ? edit.name.slice(7) : undefined; // which visitors need not see yet
+    const seen = shelf.filter(({ id, unfinished }) => id === own || (!hidden.includes(id) && !unfinished));
     const title = ({ id, titles }) => titles[languages[0]] || titles.en || id.replaceAll("_", " ");
     chosen($("look-screen"), Object.entries(SCREENS), screenFor(edit));
     chosen($("look-language"), languages.map((code) => [code, languageName(code)]), edit.name.startsWith("language/") ? edit.name.slice(9) : languages[0]);
-    chosen($("look-vessel"), seen.map((vessel) => [vessel.id, title(vessel)]), edit.name.startsWith("vessel/") ? edit.name.slice(7) : undefined);
+    chosen($("look-vessel"), seen.map((vessel) => [vessel.id, title(vessel)]), own);
     chosen($("look-comfort"), [["", "As every visit begins"], ...Object.entries(COMFORTS)], "");
     drawLook();
   } catch (error) {

@@ -76,6 +76,21 @@ TEST_F(Screen, IsDrawnWithAChangeThatIsNotMade) {
   EXPECT_EQ(content(exhibit_), before);
 }
 
+TEST_F(Screen, OfAVesselThatVisitorsDoNotSeeYetIsDrawnTheSame) {
+  const auto label = [this] {
+    const Outcome run = screen("--sizes 480x270 --vessel tea_bowl label");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const std::string png = picture("label_en_480x270");
+    fs::remove_all(out());
+    return png;
+  };
+  EXPECT_NE(label(), "");
+  const fs::path file = folder_ / "shelf/tea_bowl/vessel.toml";
+  const std::string text = content(file);
+  std::ofstream(file) << "unfinished = true\n" << text;
+  EXPECT_NE(label(), "") << "one that is unfinished";
+}
+
 TEST_F(Screen, ThatCannotBeIsToldWithTheNearestName) {
   const auto told = [this](const std::string& words, const std::string& what) {
     const Outcome run = screen(words);

@@ -34,21 +34,7 @@ class Screens : public test::StaffPage {
            "'{\"done\":true,\"pictures\":[{\"width\":4,\"height\":3,\"bytes\":'$bytes'}]}'\n"
         << "cat '" << words().string() << "'\n";
     fs::permissions(program, fs::perms(0755));
-    auto site = Site::open(site_.path());
-    auto people = People::open(state_);
-    staff_ = std::make_unique<StaffAnswers>(
-        StaffAnswers::Parts{.site = std::move(*site),
-                            .check = FileCheck("/bin/true", site_ / "config/exhibit.toml"),
-                            .onggi = program,
-                            .people = std::move(*people),
-                            .changes = ChangeLog(state_),
-                            .prices = state_ / "prices",
-                            .scans = state_ / "scans",
-                            .sheets = state_ / "sheets",
-                            .trial = state_ / "trial",
-                            .clock = [this] { return now_; }});
-    staff_->open(std::move(*Door::make("staff", state_, now_)), {test::kHost});
-    enter_by_code();
+    serve(program);
   }
   fs::path words() const { return site_ / "words"; }
   json begun(const std::string& body) {

@@ -32,6 +32,10 @@ class StaffPage : public ::testing::Test {
         std::ofstream(keepsakes_ / visit / file) << file << " of " << visit;
     }
     std::ofstream(keepsakes_ / kJar / "name.txt") << "quiet-blue-heron\n";
+    serve("/bin/true");
+  }
+  /// Serves the page, with `onggi` as the kiosk's program, and comes in.
+  void serve(const fs::path& onggi) {
     auto site = Site::open(site_.path());
     ASSERT_TRUE(site) << to_text(site.error());
     auto people = People::open(state_);
@@ -39,7 +43,7 @@ class StaffPage : public ::testing::Test {
     staff_ = std::make_unique<StaffAnswers>(
         StaffAnswers::Parts{.site = std::move(*site),
                             .check = FileCheck("/bin/true", site_ / "config/exhibit.toml"),
-                            .onggi = "/bin/true",
+                            .onggi = onggi,
                             .people = std::move(*people),
                             .changes = ChangeLog(state_),
                             .prices = state_ / "prices",
