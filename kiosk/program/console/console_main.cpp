@@ -149,12 +149,17 @@ onggi::Result<int> print(const Arguments& a) {
   return 0;
 }
 
+std::filesystem::path this_program() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error);
+}
+
 /// The languages of the keepsakes' exhibit, else those beside or above the program, in the build
 /// folder or where it is installed.
 std::filesystem::path languages_for(const std::filesystem::path& keepsakes) {
   std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  for (auto folder : {std::filesystem::absolute(keepsakes, error).parent_path(), program})
+  for (auto folder :
+       {std::filesystem::absolute(keepsakes, error).parent_path(), this_program().parent_path()})
     for (;; folder = folder.parent_path()) {
       if (const auto found = folder / "content/languages";
           std::filesystem::is_directory(found, error))
@@ -201,10 +206,7 @@ onggi::Result<int> serve(const Arguments& a) {
 }
 
 /// The program `onggi` beside this one.
-std::filesystem::path onggi_program() {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "onggi";
-}
+std::filesystem::path onggi_program() { return this_program().parent_path() / "onggi"; }
 
 /// Where the program keeps who may use the page of the exhibit `file`: systemd's folder, else one
 /// of this user's, by the exhibit's path.
@@ -302,6 +304,9 @@ onggi::Result<int> serve_staff(const Arguments& a) {
   if (a.code) return give_code(state, clock(), at->pages);
   auto people = console::People::open(state);
   if (!people) return tl::unexpected(people.error());
+  std::vector<onggi::Problem> remarks;
+  const console::PageWords words(console::PageWords::folder_of(this_program()), remarks);
+  for (const onggi::Problem& remark : remarks) std::cerr << onggi::to_text(remark) << '\n';
   console::StaffAnswers staff({.site = std::move(*site),
                                .check = console::FileCheck(onggi_program(), file),
                                .onggi = onggi_program(),
@@ -312,6 +317,7 @@ onggi::Result<int> serve_staff(const Arguments& a) {
                                .sheets = state / "sheets",
                                .trial = state / "trial",
                                .screens = a.screens,
+                               .words = words,
                                .clock = clock});
   const auto server = listen_at(*listening, staff);
   if (!server) return tl::unexpected(server.error());

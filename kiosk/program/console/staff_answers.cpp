@@ -130,6 +130,8 @@ web::Answer StaffAnswers::to(const web::Ask& ask) {
   if (reads)
     for (const auto& [name, type, text] : kPageFiles)
       if (ask.target == name) return {.status = 200, .type = type, .body = text};
+  if (reads)
+    if (auto words = parts_.words.to(ask)) return std::move(*words);
   if (ask.method == "GET" && ask.target.starts_with("/?code=")) {
     const std::string code = web::asked_for(ask.target, "code");
     std::string cookie = door_->enter(code, parts_.clock());
@@ -417,18 +419,13 @@ web::Answer StaffAnswers::figures(const web::Ask& ask, bool picture) {
   // The first visit makes the store.
   if (!picture && !fs::exists(files::store_file(parts_.site.exhibit().keepsake.folder), error) &&
       !error)
-    return json(ask,
-                R"({"visits": 0, "words": "No visit has been counted here yet.", "tables": {}})");
+    return json(ask, R"({"visits": 0, "tables": {}})");
   const auto told = figures_.of(parts_.site.exhibit().keepsake.folder, query(ask, "from"),
                                 query(ask, "to"), parts_.clock());
   if (!told)
     return refused(picture ? 404 : 409, {told.error().where, told.error().what,
                                          "If it is there, start onggi-console with sudo."});
-  if (!picture) {
-    Json out = store::json_of(**told);
-    out["words"] = store::words_of(**told);
-    return json(ask, out.text(-1));
-  }
+  if (!picture) return json(ask, store::json_of(**told).text(-1));
   const auto bytes = drawing::draw_plot(desk::plot_of(**told), "figures.svg");
   return {.status = 200,
           .type = "image/svg+xml",

@@ -19,6 +19,7 @@
 #include "kiosk/program/console/edit_answers.h"
 #include "kiosk/program/console/figures.h"
 #include "kiosk/program/console/file_check.h"
+#include "kiosk/program/console/page_words.h"
 #include "kiosk/program/console/patience.h"
 #include "kiosk/program/console/people.h"
 #include "kiosk/program/console/scan_answers.h"
@@ -33,6 +34,7 @@ namespace onggi::console {
 ///   GET  /                       the page
 ///   GET  /?code=CODE             in, by a code
 ///   GET  /api/door               whether anybody has a name yet
+///   GET  /words, /words/CODE...  what the page says in other languages (PageWords)
 ///   POST /api/enter              {name, passphrase}: in, by them
 ///   POST /api/leave              ends the session
 ///   GET  /api/state              who is signed in, and how the kiosk is, in words
@@ -57,16 +59,21 @@ namespace onggi::console {
 ///   GET  /outline/ID             one of them from the side
 ///   GET  /sheet/ID           (e) section and view of it, drawn
 ///   GET  /api/scenes         (e) the scenes: what each is for, who plays it
-///   POST /api/screen         (e) {screen, language, vessel, comfort, file, changes}: begins to
-///   draw GET  /api/screen?number= (e) what came of it POST /api/screen/stop    (e) ends it GET
-///   /screen/NUMBER/N    (e) one of its pictures GET  /api/prices/NAME    (e) what its effects cost
-///   on this machine POST /api/prices/NAME    (e) measures that anew POST /api/upload?name=&first=1
-///   (e) a file of a scan, as it is GET  /api/scan           (e) what has arrived, and what is in
-///   it POST /api/scan/look      (e) begins to read it POST /api/scan/place     (e) {vessel, id,
-///   turned_over, height_mm}: begins to shelve it POST /api/scan/forget    (e) deletes what has
-///   arrived GET  /api/people         (e) names and roles POST /api/people         (e) {name, role,
-///   passphrase}: adds or changes somebody POST /api/people/NAME/remove (e) GET  /api/changes (e)
-///   who changed what, newest first
+///   POST /api/screen         (e) {screen, language, vessel, comfort, file, changes}: begins it
+///   GET  /api/screen?number= (e) what came of it
+///   POST /api/screen/stop    (e) ends it
+///   GET  /screen/NUMBER/N    (e) one of its pictures
+///   GET  /api/prices/NAME    (e) what its effects cost on this machine
+///   POST /api/prices/NAME    (e) measures that anew
+///   POST /api/upload?name=&first=1 (e) a file of a scan, as it is
+///   GET  /api/scan           (e) what has arrived, and what is in it
+///   POST /api/scan/look      (e) begins to read it
+///   POST /api/scan/place     (e) {vessel, id, turned_over, height_mm}: begins to shelve it
+///   POST /api/scan/forget    (e) deletes what has arrived
+///   GET  /api/people         (e) names and roles
+///   POST /api/people         (e) {name, role, passphrase}: adds or changes somebody
+///   POST /api/people/NAME/remove (e)
+///   GET  /api/changes        (e) who changed what, newest first
 /// A POST needs a JSON body (a file: application/octet-stream), and the page's own address as its
 /// Origin. A Host that is not one of the program's is refused, so that no other site's name can
 /// lead here. One thread.
@@ -84,6 +91,7 @@ class StaffAnswers final : public web::Answering {
     std::filesystem::path sheets;         ///< one for the drawn sheets of vessels,
     std::filesystem::path trial;          ///< and a file for the change that is tried.
     std::filesystem::path screens{};      ///< The socket of the service that draws; "": none.
+    PageWords words{};                    ///< The page in other languages.
     std::function<std::int64_t()> clock;  ///< s since 1970.
     /// Gets what the staff should know of a file.
     std::function<void(const Problem&)> tell = files::log_problem;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kiosk/ground/files/json.h"
+#include "kiosk/program/console/sentence.h"
 #include "kiosk/program/watch/kiosk_state.h"
 
 namespace onggi::console {
@@ -28,16 +29,16 @@ enum class Mood : std::uint8_t { good, look, wrong };
 struct Line {
   std::string id;    ///< "kiosk", "picture", "wheel", "keepsakes", "disk", "devices", "phones",
                      ///< "files", "trouble".
-  std::string name;  ///< "Keepsakes"
+  std::string name;  ///< "Keepsakes"; a key of PageWords, too.
   Mood mood = Mood::good;
-  std::string says;    ///< A sentence or two.
-  std::string remedy;  ///< What to do; "": nothing.
+  std::vector<Sentence> says{};
+  Sentence remedy{};  ///< What to do; without words: nothing.
 };
 
 /// The state in words: the kiosk first. Pure.
 std::vector<Line> report_of(const Known& known);
 
-/// {"mood": the worst, "says": its kiosk's, "lines": [{id, name, mood, says, remedy}]}
+/// {"mood": the worst, "lines": [{id, name, mood, says: [sentence], remedy: sentence or null}]}
 files::Json json_of(const std::vector<Line>& lines);
 
 }  // namespace onggi::console

@@ -1,6 +1,5 @@
-// Signs in. Where nobody has a name yet, the other way in is open.
+// Signs in; base.js comes before it. Where nobody has a name yet, the other way in is open.
 "use strict";
-const $ = (id) => document.getElementById(id);
 
 fetch("/api/door").then((answer) => answer.json()).then(({ names }) => {
   $("enter").hidden = !names;
@@ -8,7 +7,7 @@ fetch("/api/door").then((answer) => answer.json()).then(({ names }) => {
 });
 
 if (location.search.includes("code=")) {
-  $("said").textContent = "This code is not good any more: it opens once, and within an hour.";
+  $("said").textContent = t("This code is not good any more: it opens once, and within an hour.");
   $("other").open = true;
 } else {
   $("said").textContent = sessionStorage.getItem("why") || "";
@@ -24,11 +23,11 @@ $("enter").addEventListener("submit", async (event) => {
     answer = await fetch("/api/enter", { method: "POST", headers: { "Content-Type": "application/json" }, body });
     said = await answer.json();
   } catch {
-    $("said").textContent = "The program behind this page does not answer.";
+    $("said").textContent = t("The program behind this page does not answer.");
     return;
   }
   if (answer.ok) return location.replace("/");
-  $("said").textContent = said.what + " " + said.remedy;
+  tell($("said"), refusal(said));
   $("passphrase").value = "";
   $("passphrase").focus();
 });

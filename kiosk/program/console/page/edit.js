@@ -1,6 +1,7 @@
 // Changing a file: what was typed is checked by the kiosk's program as it is typed, and saved in one step.
 "use strict";
 
+const saveFirst = t("Save your changes first, or forget them.");
 const WAIT = 200; // ms after the last letter until it is checked
 
 /** "true_height_mm" as a label: "True height". */
@@ -97,9 +98,9 @@ class Edited {
     for (const [key, row] of this.rows) row.fault(faults.find((fault) => fault.key === key), this.conflict(key));
     const here = faults.filter(({ key }) => this.rows.has(key)), elsewhere = faults.filter(({ key }) => !this.rows.has(key));
     const lines = elsewhere.slice(0, 2).map(({ key, what, remedy }) =>
-      made("p", {}, made("strong", {}, (key && !what.startsWith(key) ? key + ": " : "") + what), " " + remedy, ...(key && this.reach ? [this.showButton(key)] : [])));
-    if (elsewhere.length > 2) lines.push(made("p", {}, `And ${elsewhere.length - 2} more like these.`));
-    if (here.length > 0) lines.unshift(this.wayTo(here[0].key, here.length === 1 ? "One field needs you" : `${here.length} fields need you`));
+      made("p", {}, ...inWords({ place: key && !what.startsWith(key) ? key + ": " : "", message: what, remedy, theirs: true }), ...(key && this.reach ? [this.showButton(key)] : [])));
+    if (elsewhere.length > 2) lines.push(made("p", {}, tn(elsewhere.length - 2, "And one more like these.", "And {count} more like these.")));
+    if (here.length > 0) lines.unshift(this.wayTo(here[0].key, tn(here.length, "One field needs you", "{count} fields need you")));
     // What has no field in sight is chosen here.
     for (const key of this.conflicts()) if (!this.rows.get(key)?.chooses) lines.push(this.choice(key));
     // What has not changed is not written again: a screen reader would begin anew.
@@ -111,16 +112,16 @@ class Edited {
   conflicts() { return [...this.changes.keys()].filter((key) => this.conflict(key)); }
   /** Both values of `key`, and which of them stays. */
   choice(key, called = key) {
-    const take = made("button", { type: "button", className: "quiet" }, "Take theirs");
+    const take = made("button", { type: "button", className: "quiet" }, t("Take theirs"));
     take.addEventListener("click", () => { this.drop(key); this.redraw(); this.check(); });
-    const keep = made("button", { type: "button", className: "quiet" }, "Keep mine");
+    const keep = made("button", { type: "button", className: "quiet" }, t("Keep mine"));
     keep.addEventListener("click", () => { this.seen.set(key, this.was(key)); this.found(this.faults); });
-    const mine = this.rows.get(key)?.chooses ? "" : `${called}: mine is ${inWords(this.changes.get(key))}. `;
-    return made("div", { className: "theirs" }, `${mine}Theirs: ${inWords(this.was(key))}`, take, keep);
+    const mine = this.rows.get(key)?.chooses ? "" : t("{field}: mine is {value}.", { field: called, value: shown(this.changes.get(key)) }) + " ";
+    return made("div", { className: "theirs" }, mine + t("Theirs: {value}", { value: shown(this.was(key)) }), take, keep);
   }
   /** A button that brings the field of `key` into sight; `reach` does that. */
   showButton(key) {
-    const go = made("button", { type: "button", className: "quiet" }, "Show it");
+    const go = made("button", { type: "button", className: "quiet" }, t("Show it"));
     go.addEventListener("click", () => {
       this.reach(key);
       this.rows.get(key)?.show();
@@ -147,16 +148,15 @@ class Edited {
       this.busy = true;
       this.show();
       const begun = await ask(this.address("save"), { tag: this.file.tag, changes: [...sent], try: trying });
-      const said = await outcome(begun.number, this.place, "Looking at the whole exhibit, then saving…");
+      const said = await outcome(begun.number, this.place, t("Looking at the whole exhibit, then saving…"));
       this.told = null;
       if (said.another_file) return await this.meanwhile();
       if (!said.done) return tell(this.place, refusal(said));
       // What was typed meanwhile stays.
       for (const [key, value] of sent) if (same(this.changes.get(key), value)) this.changes.delete(key);
       await this.load();
-      if (trying) return this.say("It is tried for five minutes. The kiosk takes it up when no visitor is there.");
-      this.say((said.changes.length === 1 ? "Saved." : `Saved, ${said.changes.length} values.`) +
-        " The kiosk takes it up when no visitor is there. You can take it back at the end of Settings.");
+      if (trying) return this.say(`${t("It is tried for five minutes.")} ${t("The kiosk takes it up when no visitor is there.")}`);
+      this.say([tn(said.changes.length, "Saved.", "Saved, {count} values."), t("The kiosk takes it up when no visitor is there."), t("You can take it back at the end of Settings.")].join(" "));
     } catch (error) {
       this.told = null;
       if (error.status === 412) return await this.meanwhile();
@@ -179,11 +179,11 @@ class Edited {
   async meanwhile() {
     await this.load();
     const both = this.conflicts();
-    const words = made("p", {}, made("strong", {}, "Somebody else has changed this file meanwhile. "), !this.dirty
-      ? "It says what you wanted: there is nothing left to save."
-      : both.length > 0 ? "Where you both changed the same, choose whose value stays, then save." : "Theirs is shown, and yours still stands in its field: save again.");
+    const words = made("p", {}, made("strong", {}, t("Somebody else has changed this file meanwhile.")), " ", !this.dirty
+      ? t("It says what you wanted: there is nothing left to save.")
+      : both.length > 0 ? t("Where you both changed the same, choose whose value stays, then save.") : t("Theirs is shown, and yours still stands in its field: save again."));
     const first = both.find((key) => this.rows.get(key)?.chooses);
-    this.place.prepend(words, ...(first ? [this.wayTo(first, "Choose")] : []));
+    this.place.prepend(words, ...(first ? [this.wayTo(first, t("Choose"))] : []));
     this.told = null;
     this.show();
   }
@@ -196,7 +196,7 @@ class Edited {
   show() {
     const [save, forget] = this.buttons, busy = this.busy === true;
     save.disabled = !this.dirty || this.faults.length > 0 || this.conflicts().length > 0 || busy;
-    save.textContent = this.changes.size > 1 ? `Save ${this.changes.size} changes` : "Save";
+    save.textContent = this.changes.size > 1 ? tn(this.changes.size, "Save one change", "Save {count} changes") : t("Save");
     const attempt = save.nextElementSibling;
     attempt.hidden = !this.dirty;
     attempt.disabled = save.disabled;
@@ -212,15 +212,14 @@ async function outcome(number, place, words) {
     const now = await ask("/api/saved?number=" + number);
     if (!now.under_way) return now.said;
     const seconds = Math.round((Date.now() - began) / 1000);
-    place.replaceChildren(words + (seconds > 0 ? ` (${seconds} s)` : ""));
+    place.replaceChildren(words + since(seconds));
     await new Promise((done) => setTimeout(done, 400));
   }
 }
 
-/** Why the kiosk's program refused. */
-const refusal = (said) => Object.assign(new Error(placeOf(said) + said.what), { remedy: said.remedy });
+const since = (seconds) => (seconds > 0 ? ` (${seconds} s)` : "");
 
-const inWords = (value) => value === undefined || value === null ? "nothing" : typeof value === "object" && !Array.isArray(value) ? "what stands there now" : Array.isArray(value) ? value.join(", ") : String(value);
+const shown = (value) => value === undefined || value === null ? t("nothing") : typeof value === "object" && !Array.isArray(value) ? t("what stands there now") : Array.isArray(value) ? value.join(", ") : String(value);
 
 /**
  * A row of a form: the label, an input for the field's kind, what it does, what is allowed, and what is wrong with it.
@@ -234,15 +233,16 @@ function fieldRow(edited, key, field, how = {}) {
     input = made("input", { type: "checkbox", checked: start === undefined ? usual === "true" : start === true });
     input.addEventListener("change", () => edited.want(key, input.checked));
   } else if (field.choices) {
-    const called = how.called ?? ((one) => one);
-    input = made("select", {}, made("option", { value: "" }, usual ? `${called(usual)} (usual)` : "(none)"),
+    const called = how.called ?? ((one) => t(one));
+    input = made("select", {}, made("option", { value: "" }, usual ? t("{choice} (usual)", { choice: called(usual) }) : t("(none)")),
       ...field.choices.map((one) => made("option", { value: one }, called(one))));
     input.value = start ?? "";
     input.addEventListener("change", () => edited.want(key, input.value === "" ? null : input.value));
   } else {
-    input = made(how.lines ? "textarea" : "input", { value: Array.isArray(start) ? start.join(", ") : start ?? "", placeholder: usual, autocomplete: "off" });
+    input = made(how.lines ? "textarea" : "input", { value: Array.isArray(start) ? start.join(", ") : start ?? "", placeholder: t(usual), autocomplete: "off" });
     if (how.lines) input.rows = how.lines;
-    if (how.lang) Object.assign(input, { lang: how.lang, dir: "auto" });
+    input.dir = "auto";
+    if (how.lang) input.lang = how.lang;
     if (["number", "whole"].includes(field.kind)) input.inputMode = "decimal";
     input.addEventListener("input", () => edited.want(key, typed(input.value, field)));
   }
@@ -250,11 +250,11 @@ function fieldRow(edited, key, field, how = {}) {
   input.setAttribute("aria-describedby", `${id}-said ${id}-fault`);
   const fault = made("p", { className: "fault", id: id + "-fault" });
   fault.setAttribute("role", "alert");
-  const called = how.label ?? asLabel(field.key), words = how.help ?? sentence(field.words);
-  const help = [words === called + "." ? "" : words, how.allowed ?? allowedWords(field)].filter(Boolean).join(" ");
+  const called = how.label ?? t(asLabel(field.key)), words = how.help ?? t(sentence(field.words));
+  const help = [words.replace(/[.。]$/, "") === called ? "" : words, how.allowed ?? allowedWords(field)].filter(Boolean).join(" ");
   const label = made("label", { htmlFor: id }, called);
   const color = (field.allowed ?? "").includes("#RRGGBB") ? colorBeside(input) : "";
-  const unit = field.unit && field.kind !== "boolean" ? made("span", { className: "unit" }, field.unit) : "";
+  const unit = field.unit && field.kind !== "boolean" ? made("span", { className: "unit" }, t(field.unit)) : "";
   const row = made("div", { className: "field " + (field.kind === "boolean" ? "switch" : "") },
     ...(field.kind === "boolean" ? [input, label] : [label, made("div", { className: "value" }, input, color, unit)]),
     made("p", { className: "small", id: id + "-said" }, help), fault);
@@ -268,7 +268,8 @@ function fieldRow(edited, key, field, how = {}) {
     },
     fault(found, conflict) {
       const [what, remedy] = found ? atItsField(found) : ["", ""];
-      if (`${what} ${remedy}` !== fault.textContent) fault.replaceChildren(...(found ? [made("strong", {}, what), " " + remedy] : []));
+      if (`${what} ${remedy}` !== fault.dataset.told) fault.replaceChildren(...(found ? inWords({ message: what, remedy, theirs: true }) : []));
+      fault.dataset.told = `${what} ${remedy}`;
       if (found) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
       theirs.replaceChildren(...(conflict ? [edited.choice(key)] : []));
@@ -289,7 +290,7 @@ function colorBeside(input) {
     if (/^#[0-9a-f]{6}$/i.test(input.value)) choose.value = input.value;
     choose.classList.toggle("none", input.value === "");
   };
-  choose.setAttribute("aria-label", "Choose the colour");
+  choose.setAttribute("aria-label", t("Choose the colour"));
   follow();
   input.addEventListener("input", follow);
   choose.addEventListener("input", () => {
@@ -305,8 +306,8 @@ function typed(words, field) {
   if (text === "") return null;
   if (["number", "whole"].includes(field.kind)) return /^-?(\d+([.,]\d*)?|[.,]\d+)$/.test(text) ? Number(text.replace(",", ".")) : text;
   if (/one line/.test(field.allowed)) text = text.replace(/\s*\n\s*/g, " ");
-  if (field.table.startsWith("hours")) text = text.replace(/\s*[-–—]\s*/g, "-").replace(/(^|[-, ])(\d:)/g, "$10$2");
-  if (field.kind === "texts") return text.split(",").map((one) => one.trim()).filter(Boolean);
+  if (field.table.startsWith("hours")) text = text.replace(/\s*[-–—]\s*/g, "-").replace(/\s*[，、،]\s*/g, ", ").replace(/(^|[-, ])(\d:)/g, "$10$2");
+  if (field.kind === "texts") return text.split(/[,，、،]/).map((one) => one.trim()).filter(Boolean);
   if (field.kind === "list") return text.startsWith("[") ? text : `[${text}]`;
   return text;
 }
@@ -316,12 +317,12 @@ function plainDefault(field) {
 }
 const sentence = (words) => {
   const plain = words.replaceAll("`", "");
-  return plain.charAt(0).toUpperCase() + plain.slice(1) + ".";
+  return (/^(m,|http)/.test(plain) ? plain : plain.charAt(0).toUpperCase() + plain.slice(1)) + ".";
 };
 function allowedWords(field) {
   if (field.kind === "boolean" || field.choices) return "";
-  if (field.least !== undefined) return `${field.least} to ${field.most}.`;
-  return sentence(field.allowed ?? "").replace(/^\.$/, "");
+  if (field.least !== undefined) return t("{least} to {most}.", field);
+  return field.allowed ? t(sentence(field.allowed)) : "";
 }
 
 /** Buttons and dragging for the order of a list. `changed` gets the ids in their new order. */
@@ -366,7 +367,7 @@ function wayButtons(name) {
     made_.setAttribute("aria-label", `${words}: ${name}`);
     return made_;
   };
-  return [button("up", "↑", "Further up"), button("down", "↓", "Further down")];
+  return [button("up", "↑", t("Further up")), button("down", "↓", t("Further down"))];
 }
 
 addEventListener("beforeunload", (event) => { if (edits.some((one) => one.dirty)) event.preventDefault(); });
@@ -380,7 +381,7 @@ for (const act of ["keep", "back"])
     try {
       const begun = await ask("/api/trial/" + act, {});
       if (begun.number === undefined) return $("trial-words").replaceChildren();
-      const said = await outcome(begun.number, $("trial-words"), "Looking at the whole exhibit, then putting it back…");
+      const said = await outcome(begun.number, $("trial-words"), t("Looking at the whole exhibit, then putting it back…"));
       if (!said.done) tell($("trial-words"), refusal(said));
       else $("trial-words").replaceChildren();
       for (const one of edits) if (one.file && !one.dirty) one.load().catch(() => {});

@@ -2,17 +2,17 @@
 "use strict";
 
 const LISTS = {
-  missions: { table: "mission", title: "title", what: "What else visitors may be asked to do. One that is on stands before the shelf." },
-  glazes: { table: "glaze", title: "name", what: "What visitors may choose in the kiln." },
-  lesson: { table: "step", title: "words", what: "What the first minute at the wheel teaches, step by step." },
-  build_lesson: { table: "step", title: "words", what: "The same for who builds a vessel of coils." },
+  missions: { table: "mission", title: "title", what: t("What else visitors may be asked to do. One that is on stands before the shelf.") },
+  glazes: { table: "glaze", title: "name", what: t("What visitors may choose in the kiln.") },
+  lesson: { table: "step", title: "words", what: t("What the first minute at the wheel teaches, step by step.") },
+  build_lesson: { table: "step", title: "words", what: t("The same for who builds a vessel of coils.") },
 };
 const LIST_LABELS = {
-  on: "Visitors see it", kind: "What visitors do", after: "Steps aside after", until: "Over when", hands: "Drawn hands", words: "What it says",
-  about: "About it", glass: "Colour of the glass", body: "Colour of the fired clay", slip: "Colour of the slip", band: "Colour of a painted band",
-  height_mm: "The pot’s height", mouth_mm: "Its diameter at the rim",
+  on: t("Visitors see it"), kind: t("What visitors do"), after: t("Steps aside after"), until: t("Over when"), hands: t("Drawn hands"), words: t("What it says"),
+  about: t("About it"), glass: t("Colour of the glass"), body: t("Colour of the fired clay"), slip: t("Colour of the slip"), band: t("Colour of a painted band"),
+  height_mm: t("The pot’s height"), mouth_mm: t("Its diameter at the rim"),
 };
-const KINDS = { today: "Today’s vessel", describe: "A pot that is described", eyes_closed: "With eyes closed", two_hands: "Two at one wheel" };
+const KINDS = { today: t("Today’s vessel"), describe: t("A pot that is described"), eyes_closed: t("With eyes closed"), two_hands: t("Two at one wheel") };
 let listEdit = null;
 
 async function showLists() {
@@ -38,7 +38,7 @@ async function showLists() {
   } catch (error) {
     if (edit.gone) return;
     $("list-body").replaceChildren();
-    if (error.status === 404) edit.say("This exhibit has none.");
+    if (error.status === 404) edit.say(t("This exhibit has none."));
     else tell($("list-words"), error);
   }
 }
@@ -55,7 +55,7 @@ function drawList(edit) {
   const fields = edit.fields.filter((field) => field.table === table), words = edit.fields.filter((field) => field.any_key);
   $("list-body").replaceChildren(...elementsOf(edit, table).map((one) => {
     const key = `${table}.${one.id}`, of = (code) => edit.now(`${key}.${title}.${code}`), called = of(codes[0]) || of("en") || one.id.replaceAll("_", " ");
-    const out = edit.changes.get(key) === null, remove = made("button", { type: "button", className: "quiet" }, out ? "Keep it" : "Take it out");
+    const out = edit.changes.get(key) === null, remove = made("button", { type: "button", className: "quiet" }, out ? t("Keep it") : t("Take it out"));
     remove.setAttribute("aria-label", `${remove.textContent}: ${called}`);
     remove.addEventListener("click", () => {
       edit.setTable(key, out);
@@ -63,18 +63,18 @@ function drawList(edit) {
     });
     const fault = made("p", { className: "fault" });
     fault.setAttribute("role", "alert");
-    edit.rows.set(key, { show: () => remove.focus(), fault: (found) => fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : [])) });
-    const foot = made("div", { className: "wide actions" }, ...(out ? [made("p", {}, made("strong", {}, "It is taken out when you save."))] : []), remove);
+    edit.rows.set(key, { show: () => remove.focus(), fault: (found) => fault.replaceChildren(...faultWords(found)) });
+    const foot = made("div", { className: "wide actions" }, ...(out ? [made("p", {}, made("strong", {}, t("It is taken out when you save.")))] : []), remove);
     if (out) return section(called, foot, fault);
     const plain = fields.filter(({ key: name }) => applies(edit, key, name));
     const label = (field) => LIST_LABELS[field.key];
     const texts = words.flatMap((field) => {
       const name = field.table.split(".")[1];
       return codes.map((code) => fieldRow(edit, `${key}.${name}.${code}`, field,
-        { label: `${LIST_LABELS[name] ?? asLabel(name)}, ${languageName(code)}`, lang: code, help: "", usual: "", lines: name === "about" || name === "words" ? 3 : 0 }));
+        { label: `${LIST_LABELS[name] ?? t(asLabel(name))}, ${languageName(code)}`, lang: code, help: "", usual: "", lines: name === "about" || name === "words" ? 3 : 0 }));
     });
     const rows = plain.map((field) => {
-      const row = fieldRow(edit, `${key}.${field.key}`, field, { label: label(field), called: (choice) => KINDS[choice] ?? choice.replaceAll("_", " ") });
+      const row = fieldRow(edit, `${key}.${field.key}`, field, { label: label(field), called: (choice) => KINDS[choice] ?? t(choice.replaceAll("_", " ")) });
       // Other figures belong to another kind.
       if (field.key === "kind") row.addEventListener("change", () => { edit.redraw(); $(row.querySelector("select").id).focus(); });
       return row;
@@ -86,7 +86,7 @@ function drawList(edit) {
 /** A field for the name of one more, and a button. */
 function adding(edit, table) {
   const id = made("input", { id: "list-new", autocomplete: "off", maxLength: 40, placeholder: table === "mission" ? "cup_of_the_day" : "sky_blue" });
-  const add = made("button", { type: "button", className: "quiet" }, `Add a ${table}`), wrong = made("p", { className: "fault" });
+  const add = made("button", { type: "button", className: "quiet" }, table === "mission" ? t("Add a mission") : t("Add a glaze")), wrong = made("p", { className: "fault" });
   wrong.setAttribute("role", "alert");
   id.addEventListener("keydown", (event) => {
     if (event.key !== "Enter") return;
@@ -96,14 +96,14 @@ function adding(edit, table) {
   add.addEventListener("click", () => {
     const name = id.value.trim();
     const good = /^[a-z0-9_]+$/.test(name), taken = elementsOf(edit, table).some((one) => one.id === name);
-    wrong.textContent = !good ? "Write small Latin letters, digits and _." : taken ? "There is one of that name." : "";
+    wrong.textContent = !good ? t("Write small Latin letters, digits and _.") : taken ? t("There is one of that name.") : "";
     if (!good || taken) return id.focus();
     edit.setTable(`${table}.${name}`, true);
     if (table === "mission") edit.want(`mission.${name}.on`, false); // until it is finished
     edit.redraw();
     [...edit.rows].find(([key]) => key.startsWith(`${table}.${name}.`))?.[1].show();
   });
-  return section(`One more ${table}`, made("div", { className: "field wide" }, made("label", { htmlFor: id.id }, "Its name in files; visitors do not see it"),
+  return section(table === "mission" ? t("One more mission") : t("One more glaze"), made("div", { className: "field wide" }, made("label", { htmlFor: id.id }, t("Its name in files; visitors do not see it")),
     made("div", { className: "value" }, id, add), wrong));
 }
 
@@ -116,7 +116,7 @@ function applies(edit, element, key) {
 $("list-which").addEventListener("change", () => {
   if (listEdit.dirty) {
     $("list-which").value = listEdit.name;
-    listEdit.say("Save your changes first, or forget them.");
+    listEdit.say(saveFirst);
     return;
   }
   showLists();

@@ -2,11 +2,11 @@
 "use strict";
 
 const SCREENS = {
-  attract: "The first screen", language: "The choice of language", choose: "The shelf", comfort: "Accessibility", label: "A label",
-  throw: "At the wheel", help: "Help at the wheel", result: "The result", decorate: "Decorating", kiln: "The kiln", keepsake: "The keepsake",
+  attract: t("The first screen"), language: t("The choice of language"), choose: t("The shelf"), comfort: t("Accessibility"), label: t("A label"),
+  throw: t("At the wheel"), help: t("Help at the wheel"), result: t("The result"), decorate: t("Decorating"), kiln: t("The kiln"), keepsake: t("The keepsake"),
 };
 const COMFORTS = {
-  larger_text: "Larger text", high_contrast: "High contrast", low_reach: "Low reach", left_handed: "Left hand", reduced_motion: "Less motion", one_switch: "One switch",
+  larger_text: t("Larger text"), high_contrast: t("High contrast"), low_reach: t("Low reach"), left_handed: t("Left hand"), reduced_motion: t("Less motion"), one_switch: t("One switch"),
 };
 const SECONDS = { throw: 8, help: 7, result: 11, decorate: 12, kiln: 12, keepsake: 15 }; // on a quiet machine without a graphics card; others 6
 let looking = null; // {edit, turn}: the form whose changes are seen
@@ -40,7 +40,7 @@ async function openLook(edit) {
     chosen($("look-screen"), Object.entries(SCREENS), screenFor(edit));
     chosen($("look-language"), languages.map((code) => [code, languageName(code)]), edit.name.startsWith("language/") ? edit.name.slice(9) : languages[0]);
     chosen($("look-vessel"), seen.map((vessel) => [vessel.id, title(vessel)]), own);
-    chosen($("look-comfort"), [["", "As every visit begins"], ...Object.entries(COMFORTS)], "");
+    chosen($("look-comfort"), [["", t("As every visit begins")], ...Object.entries(COMFORTS)], "");
     drawLook();
   } catch (error) {
     tell($("look-words"), error);
@@ -61,11 +61,11 @@ async function drawLook() {
         vessel: $("look-vessel").disabled ? "" : $("look-vessel").value, ...file });
       const drawn = await drawnLook(number, SECONDS[screen] ?? 6, current);
       if (!current()) return;
-      if (drawn.what) return tell(place, Object.assign(new Error(drawn.what), { remedy: drawn.remedy }));
+      if (drawn.what) return tell(place, refusal(drawn));
       if (drawn.pictures.length > 0) return showLook(drawn.pictures);
     } catch (error) {
       if (!current()) return;
-      if (error.said?.faults) return tell(place, Object.assign(new Error(error.said.faults[0].what), { remedy: error.said.faults[0].remedy }));
+      if (error.said?.faults) return tell(place, refusal(error.said.faults[0]));
       if (error.status === 409 && error.said.visitor) tell(place, error);
       else if (error.status !== 503) return tell(place, error);
     }
@@ -77,16 +77,17 @@ async function drawnLook(number, usual, current) {
     const now = await ask("/api/screen?number=" + number);
     if (!now.drawing || !current()) return now;
     const seconds = Math.floor(half / 2);
-    if (half > 0) $("look-words").replaceChildren(`The kiosk’s program draws it… ${seconds} s${seconds > 2 * usual ? ", more than usual: the machine is busy" : ` of about ${usual}`}`);
+    if (half > 0) $("look-words").replaceChildren(seconds > 2 * usual ? t("The kiosk’s program draws it… {seconds} s, more than usual: the machine is busy", { seconds })
+      : t("The kiosk’s program draws it… {seconds} s of about {usual}", { seconds, usual }));
     await new Promise((done) => setTimeout(done, 500));
   }
 }
 function showLook(pictures) {
-  const changed = looking.edit.dirty ? "With what is not saved yet. Nothing is changed." : "As it is now.";
+  const changed = looking.edit.dirty ? t("With what is not saved yet. Nothing is changed.") : t("As it is now.");
   $("look-words").replaceChildren(changed);
   $("look-pictures").classList.remove("old");
   $("look-pictures").replaceChildren(...pictures.map(({ at, width, height }) => {
-    const words = `${width > height ? "Landscape" : "Portrait"}, ${width} × ${height}`;
+    const words = `${width > height ? t("Landscape") : t("Portrait")}, ${width} × ${height}`;
     const link = made("a", { href: at, target: "_blank", rel: "noopener" }, made("img", { src: at, alt: `${$("look-screen").selectedOptions[0].textContent}, ${words}`, width, height }));
     return made("figure", { className: width > height ? "landscape" : "portrait" }, link, made("figcaption", { className: "small" }, words));
   }));

@@ -8,7 +8,7 @@ const drawn = (tag, fields, ...inside) => {
   element.append(...inside);
   return element;
 };
-const megabytes = (bytes) => (bytes < 1e6 ? "less than 1 MB" : `${Math.round(bytes / 1e6)} MB`);
+const megabytes = (bytes) => (bytes < 1e6 ? t("less than 1 MB") : `${Math.round(bytes / 1e6)} MB`);
 let scan = null, scanChosen = null, sending = null;
 
 // ---- Pictures
@@ -73,10 +73,10 @@ function sendFile({ file, name }, scan, told) {
     ask.addEventListener("load", () => {
       let said = {};
       try { said = JSON.parse(ask.responseText); } catch { /* a page of the web server */ }
-      ask.status < 300 ? done(said.scan) : failed(Object.assign(new Error(said.what ?? `The file was not taken (${ask.status}).`), { remedy: said.remedy ?? "Try again.", lost: ask.status === 401, out: ask.status === 401 }));
+      ask.status < 300 ? done(said.scan) : failed(refusal({ what: "The file was not taken.", remedy: "Try again.", ...said }, { lost: ask.status === 401, out: ask.status === 401 }));
     });
-    ask.addEventListener("error", () => failed(Object.assign(new Error("The file did not arrive."), { remedy: "Look whether the network is there, and try again." })));
-    ask.addEventListener("abort", () => failed(Object.assign(new Error("Stopped."), { remedy: "" })));
+    ask.addEventListener("error", () => failed(trouble(t("The file did not arrive."), t("Look whether the network is there, and try again."))));
+    ask.addEventListener("abort", () => failed(trouble(t("Stopped."), "")));
     ask.send(file);
   });
 }
@@ -84,20 +84,22 @@ function sendFile({ file, name }, scan, told) {
 async function sendScan(files) {
   if (sending || files.length === 0) return;
   const all = files.reduce((sum, { file }) => sum + file.size, 0), bar = made("progress", { max: Math.max(all, 1), value: 0 }), words = made("p", {});
-  bar.setAttribute("aria-label", "How much has arrived");
-  const stop = made("button", { type: "button", className: "quiet" }, "Stop");
+  bar.setAttribute("aria-label", t("How much has arrived"));
+  const stop = made("button", { type: "button", className: "quiet" }, t("Stop"));
   stop.addEventListener("click", () => sending?.abort());
   try {
     const room = await ask("/api/scan"), large = files.find(({ file }) => file.size > room.most);
-    if (large) throw Object.assign(new Error(`${large.name} has ${megabytes(large.file.size)}. The kiosk takes files of at most ${megabytes(room.most)}.`), { remedy: "Export the scan with fewer triangles, or without its largest pictures." });
+    if (large) throw trouble(t("{file} has {size}. The kiosk takes files of at most {most}.", { file: large.name, size: megabytes(large.file.size), most: megabytes(room.most) }),
+      t("Export the scan with fewer triangles, or without its largest pictures."));
     // What arrives is unpacked and written once more.
-    if (2 * all > room.free) throw Object.assign(new Error(`This is ${megabytes(all)}, and the kiosk’s disk has ${megabytes(room.free)} left.`), { remedy: "Ask whoever keeps the machine for room." });
+    if (2 * all > room.free) throw trouble(t("This is {size}, and the kiosk’s disk has {left} left.", { size: megabytes(all), left: megabytes(room.free) }), t("Ask whoever keeps the machine for room."));
     $("scan-body").replaceChildren(words, bar, made("div", { className: "actions" }, stop));
     let before = 0, number; // of the scan, once its first file is there
     for (const [n, one] of files.entries()) {
       const told = (loaded) => {
         bar.value = before + loaded;
-        words.textContent = `Sending ${files.length > 1 ? `file ${n + 1} of ${files.length}` : one.name}: ${megabytes(before + loaded)} of ${megabytes(all)}`;
+        const how = { name: one.name, n: n + 1, count: files.length, sent: megabytes(before + loaded), all: megabytes(all) };
+        words.textContent = files.length > 1 ? t("Sending file {n} of {count}: {sent} of {all}", how) : t("Sending {name}: {sent} of {all}", how);
       };
       told(0);
       number = await sendFile(one, number, told);
@@ -126,28 +128,25 @@ async function showScan() {
     }
     if (sending) return;
     if (scan.doing) {
-      const words = scan.doing === "looking" ? "Reading the scan…" : "Putting it on the shelf…";
-      $("scan-body").replaceChildren(made("p", {}, words + (seconds > 0 ? ` (${seconds} s)` : "")));
+      const words = scan.doing === "looking" ? t("Reading the scan…") : t("Putting it on the shelf…");
+      $("scan-body").replaceChildren(made("p", {}, words + since(seconds)));
       await new Promise((done) => setTimeout(done, 1000));
       continue;
     }
     if (scan.placed?.done) return onShelf(scan.id);
     if (scan.placed) {
       drawQuestions();
-      return tell($("scan-wrong"), Object.assign(new Error(scan.placed.what), { remedy: scan.placed.remedy }));
+      return tell($("scan-wrong"), refusal(scan.placed));
     }
     if (!scan.found) return $("scan-body").replaceChildren();
     $("scan").open = true; // one that was begun
-    if (!scan.found.done) {
-      const again = Object.assign(new Error(scan.found.what), { remedy: scan.found.remedy });
-      return tell($("scan-body"), again);
-    }
+    if (!scan.found.done) return tell($("scan-body"), refusal(scan.found));
     return drawQuestions();
   }
 }
 /** It is there: its label comes next. */
 async function onShelf(id) {
-  $("scan-body").replaceChildren(made("p", {}, made("strong", {}, "It is on the shelf. "), "Visitors see it when its label is written and “Unfinished” is not ticked any more."));
+  $("scan-body").replaceChildren(made("p", {}, made("strong", {}, t("It is on the shelf.")), " ", t("Visitors see it when its label is written and “Unfinished” is not ticked any more.")));
   scanChosen = null;
   await ask("/api/scan/forget", { scan: scan.scan }).catch(() => {});
   await showShelf();
@@ -175,14 +174,14 @@ function drawQuestions() {
   scanChosen ??= {};
   if (scanChosen.of !== scan.found && !scan.placed) Object.assign(scanChosen, { vessel: single ? 0 : undefined, turned: undefined, tall: undefined, id: undefined });
   scanChosen.of = scan.found;
-  const parts = [made("p", {}, "About ", made("strong", { dir: "auto" }, scan.name), scan.files > 1 ? ` and ${scan.files - 1} more files` : "")], again = (change) => {
+  const parts = [made("p", {}, made("strong", { dir: "auto" }, scan.name), scan.files > 1 ? " " + tn(scan.files - 1, "and one more file", "and {count} more files") : "")], again = (change) => {
     Object.assign(scanChosen, change);
     const focused = document.activeElement?.id;
     drawQuestions();
     if (focused) $(focused)?.focus();
   };
   if (!single) {
-    parts.push(pictures("Which of these?", "The scan holds several vessels. For another one of them, send it again.", "which",
+    parts.push(pictures(t("Which of these?"), t("The scan holds several vessels. For another one of them, send it again."), "which",
       found.map((vessel, n) => ({ value: n, picture: vesselPicture(vessel, false, vessel.title), words: vessel.title })), scanChosen.vessel,
       (vessel) => {
         again({ vessel, turned: undefined, tall: undefined, id: undefined });
@@ -193,13 +192,16 @@ function drawQuestions() {
   if (vessel) {
     if (scanChosen.turned === undefined && vessel.up_is_sure) scanChosen.turned = false;
     if (!vessel.up_is_sure) {
-      parts.push(pictures("Which way up?", "The shape alone does not tell.", "up", [false, true].map((value) => ({ value, picture: vesselPicture(vessel, value, value ? "the other way" : "as in the file"), words: value ? "The other way" : "As in the file" })),
+      parts.push(pictures(t("Which way up?"), t("The shape alone does not tell."), "up", [false, true].map((value) => {
+        const words = value ? t("The other way") : t("As in the file");
+        return { value, picture: vesselPicture(vessel, value, words), words };
+      }),
         scanChosen.turned, (turned) => again({ turned })));
     }
     parts.push(sizeQuestion(vessel, again), insideWords(vessel), placeForm(vessel));
   }
   const notes = (scan.found.notes ?? []).map((note) => made("p", { className: "small" }, note));
-  const other = made("button", { type: "button", className: "quiet" }, "Forget this scan");
+  const other = made("button", { type: "button", className: "quiet" }, t("Forget this scan"));
   other.addEventListener("click", async () => {
     await ask("/api/scan/forget", { scan: scan.scan }).catch(() => {});
     scanChosen = null;
@@ -212,30 +214,31 @@ function drawQuestions() {
 function sizeQuestion(vessel, again) {
   const raw = vessel.height_m / vessel.metres_per_unit, turned = scanChosen.turned === true;
   const units = vessel.size_is_sure ? [vessel.height_m] : [raw, raw / 100, raw / 1000].filter((tall) => tall >= 0.01 && tall <= 2);
-  const options = units.map((tall) => ({ value: tall, picture: sizePicture(vessel, tall, turned, mm(tall)), words: `${mm(tall)} tall` }));
+  const options = units.map((tall) => ({ value: tall, picture: sizePicture(vessel, tall, turned, mm(tall)), words: t("{height} tall", { height: mm(tall) }) }));
   if (scanChosen.tall === undefined && vessel.size_is_sure) scanChosen.tall = units[0];
   const own = made("input", { id: "scan-tall", inputMode: "decimal", autocomplete: "off", placeholder: Math.round(1000 * vessel.height_m),
     value: scanChosen.tall !== undefined && !units.includes(scanChosen.tall) ? Math.round(1e5 * scanChosen.tall) / 100 : "" });
   own.addEventListener("change", () => {
     const typed_ = own.value.trim().match(/^(\d+(?:[.,]\d+)?)\s*(mm|cm|m)?$/i);
     if (own.value.trim() === "") return again({ tall: vessel.size_is_sure ? units[0] : undefined });
-    if (!typed_) return tell($("scan-wrong"), Object.assign(new Error("This is no height."), { remedy: "Write a number of millimetres: 240." }));
+    if (!typed_) return tell($("scan-wrong"), trouble(t("This is no height."), t("Write a number of millimetres: 240.")));
     again({ tall: Number(typed_[1].replace(",", ".")) * { mm: 0.001, cm: 0.01, m: 1 }[(typed_[2] ?? "mm").toLowerCase()] });
   });
   if (scanChosen.tall !== undefined && !units.includes(scanChosen.tall) && scanChosen.tall >= 0.004 && scanChosen.tall <= 2)
-    options.push({ value: scanChosen.tall, picture: sizePicture(vessel, scanChosen.tall, turned, mm(scanChosen.tall)), words: `${mm(scanChosen.tall)} tall` });
-  const group = pictures(vessel.size_is_sure ? "How tall it is" : "How tall is it?", vessel.size_is_sure ? "Beside a hand." : "The file does not say in which unit it is.", "size", options, scanChosen.tall, (tall) => again({ tall }));
-  group.append(made("div", { className: "field" }, made("label", { htmlFor: own.id }, "Another height"), made("div", { className: "value" }, own, made("span", { className: "unit" }, "mm"))));
+    options.push({ value: scanChosen.tall, picture: sizePicture(vessel, scanChosen.tall, turned, mm(scanChosen.tall)), words: t("{height} tall", { height: mm(scanChosen.tall) }) });
+  const group = pictures(vessel.size_is_sure ? t("How tall it is") : t("How tall is it?"), vessel.size_is_sure ? t("Beside a hand.") : t("The file does not say in which unit it is."), "size", options, scanChosen.tall, (tall) => again({ tall }));
+  group.append(made("div", { className: "field" }, made("label", { htmlFor: own.id }, t("Another height")), made("div", { className: "value" }, own, made("span", { className: "unit" }, "mm"))));
   return group;
 }
 function insideWords(vessel) {
   const wall = `${(1000 * vessel.inferred_wall_m).toFixed(1)} mm`, seen = vessel.inner === "measured";
-  return made("p", {}, made("strong", {}, seen ? "The inside was measured. " : "The inside was not seen. "),
-    seen ? (vessel.inner_measured_share < 0.99 ? `On ${Math.round(100 * vessel.inner_measured_share)} % of the height both sides of the wall were there; the rest is inferred.` : "") : `Its wall is taken as ${wall}, and visitors throw it so.`);
+  return made("p", {}, made("strong", {}, seen ? t("The inside was measured.") : t("The inside was not seen.")), " ",
+    !seen ? t("Its wall is taken as {wall}, and visitors throw it so.", { wall }) : vessel.inner_measured_share >= 0.99 ? ""
+      : t("On {percent} % of the height both sides of the wall were there; the rest is inferred.", { percent: Math.round(100 * vessel.inner_measured_share) }));
 }
 function placeForm(vessel) {
   const name = scan.found.vessels.length === 1 ? scan.name.split("/")[0] : vessel.title;
-  const id = made("input", { id: "scan-id", autocomplete: "off", maxLength: 80, value: scanChosen.id ?? asId(name) }), go = made("button", { type: "button", id: "scan-go" }, "Put it on the shelf");
+  const id = made("input", { id: "scan-id", autocomplete: "off", maxLength: 80, value: scanChosen.id ?? asId(name) }), go = made("button", { type: "button", id: "scan-go" }, t("Put it on the shelf"));
   id.addEventListener("input", () => { scanChosen.id = id.value; ready(); });
   go.addEventListener("click", async () => {
     try {
@@ -251,15 +254,15 @@ function placeForm(vessel) {
       tell($("scan-wrong") ?? $("scan-body"), error);
     }
   });
-  return made("div", { className: "field" }, made("label", { htmlFor: id.id }, "Its name in files; visitors do not see it"), made("div", { className: "value" }, id, go),
-    made("p", { className: "small", id: "scan-need" }), made("p", { className: "small" }, [vessel.credit, vessel.licence].filter(Boolean).join(". ") || "The file names neither credit nor licence: the label will ask for them."));
+  return made("div", { className: "field" }, made("label", { htmlFor: id.id }, t("Its name in files; visitors do not see it")), made("div", { className: "value" }, id, go),
+    made("p", { className: "small", id: "scan-need" }), made("p", { className: "small" }, [vessel.credit, vessel.licence].filter(Boolean).join(". ") || t("The file names neither credit nor licence: the label will ask for them.")));
 }
 /** The button works when everything is chosen. */
 function ready() {
   const go = $("scan-go");
   if (!go) return;
-  const need = scanChosen.turned === undefined ? "Choose which way up it stands." : !(scanChosen.tall >= 0.004 && scanChosen.tall <= 2) ? "Choose how tall it is: 4 mm to 2 m."
-    : !/^[a-z0-9_-]+$/.test($("scan-id").value.trim()) ? "Its name has small Latin letters, digits, _ and -." : vessels.some(({ id }) => id === $("scan-id").value.trim()) ? "There is a vessel of that name." : "";
+  const need = scanChosen.turned === undefined ? t("Choose which way up it stands.") : !(scanChosen.tall >= 0.004 && scanChosen.tall <= 2) ? t("Choose how tall it is: 4 mm to 2 m.")
+    : !/^[a-z0-9_-]+$/.test($("scan-id").value.trim()) ? t("Its name has small Latin letters, digits, _ and -.") : vessels.some(({ id }) => id === $("scan-id").value.trim()) ? t("There is a vessel of that name.") : "";
   go.disabled = need !== "";
   $("scan-need").textContent = need;
 }

@@ -1,43 +1,35 @@
 // Settings: the exhibit's own file as a form, and the changes that can be taken back.
 "use strict";
 
-const languageName = (code) => {
-  try {
-    return new Intl.DisplayNames(["en"], { type: "language" }).of(code) || code;
-  } catch {
-    return code;
-  }
-};
-
 // Labels where a key's own name is not the usual word.
 const LABELS = {
-  credit: "The museum’s name", build: "Vessels may be built of coils", decorate: "Pots may be decorated",
-  "attract.scripts": "What a passer-by sees",
-  "idle.warn_after": "Ask whether somebody is there after", "idle.countdown": "End the visit after that in",
-  "idle.result_after": "Ask after, where people read",
-  "keepsake.quota_mb": "Disk for keepsakes", "keepsake.days": "Keep them for", "keepsake.turning": "Keep a turning picture",
-  "keepsake.gallery": "Show today’s pots to visitors", "store.count": "Count visits", "store.months": "Keep counts for",
-  "screen.viewing_distance_mm": "From the eye to the screen", "screen.diagonal_mm": "Screen, corner to corner",
-  "screen.lower_edge_mm": "Its lower edge above the floor", "screen.reduced_motion": "Less motion",
-  "screen.one_switch": "One switch", "screen.scan_seconds": "Each choice lit for", "screen.spoken": "Read aloud",
-  "screen.silent": "No sound", "screen.force": "Strength of the hand device", "access.hold_to_speak": "Hold to be read to",
-  "hours.every_day": "Every day", "hours.screen_off": "The monitor sleeps when closed",
+  credit: t("The museum’s name"), build: t("Vessels may be built of coils"), decorate: t("Pots may be decorated"),
+  "attract.scripts": t("What a passer-by sees"),
+  "idle.warn_after": t("Ask whether somebody is there after"), "idle.countdown": t("End the visit after that in"),
+  "idle.result_after": t("Ask after, where people read"),
+  "keepsake.quota_mb": t("Disk for keepsakes"), "keepsake.days": t("Keep them for"), "keepsake.turning": t("Keep a turning picture"),
+  "keepsake.gallery": t("Show today’s pots to visitors"), "store.count": t("Count visits"), "store.months": t("Keep counts for"),
+  "screen.viewing_distance_mm": t("From the eye to the screen"), "screen.diagonal_mm": t("Screen, corner to corner"),
+  "screen.lower_edge_mm": t("Its lower edge above the floor"), "screen.reduced_motion": t("Less motion"),
+  "screen.one_switch": t("One switch"), "screen.scan_seconds": t("Each choice lit for"), "screen.spoken": t("Read aloud"),
+  "screen.silent": t("No sound"), "screen.force": t("Strength of the hand device"), "access.hold_to_speak": t("Hold to be read to"),
+  "hours.every_day": t("Every day"), "hours.screen_off": t("The monitor sleeps when closed"),
 };
 // What it does, where the list of keys says it for readers of the file.
 const HELP = {
-  build: "Those that were built so, as Shelf says.", "idle.result_after": "On the result and the keepsake.",
-  "attract.scripts": "“follow” throws a vessel, the others show the clay. Pot by pot, round and round.",
-  "screen.silent": "Whatever the volume is.", "hours.screen_off": "Else it shows a black picture.",
+  build: t("Those that were built so, as Shelf says."), "idle.result_after": t("On the result and the keepsake."),
+  "attract.scripts": t("“follow” throws a vessel, the others show the clay. Pot by pot, round and round."),
+  "screen.silent": t("Whatever the volume is."), "hours.screen_off": t("Else it shows a black picture."),
 };
 const SECTIONS = [
-  ["The exhibit", ["credit", "build", "decorate"]],
-  ["When visitors go", ["idle."]],
-  ["Opening hours", ["hours."]],
-  ["Sound", ["sound."]],
-  ["Screen", ["screen.viewing_distance_mm", "screen.diagonal_mm", "screen.lower_edge_mm"]],
-  ["How every visit begins", ["screen.", "access."]],
-  ["Keepsakes and counts", ["keepsake.", "store."]],
-  ["When nobody plays", ["attract."]],
+  [t("The exhibit"), ["credit", "build", "decorate"]],
+  [t("When visitors go"), ["idle."]],
+  [t("Opening hours"), ["hours."]],
+  [t("Sound"), ["sound."]],
+  [t("Screen"), ["screen.viewing_distance_mm", "screen.diagonal_mm", "screen.lower_edge_mm"]],
+  [t("How every visit begins"), ["screen.", "access."]],
+  [t("Keepsakes and counts"), ["keepsake.", "store."]],
+  [t("When nobody plays"), ["attract."]],
 ];
 
 const settings = new Edited("exhibit", $("settings-words"), [$("settings-save"), $("settings-forget")], drawSettings);
@@ -53,10 +45,10 @@ function drawSettings() {
   const sections = SECTIONS.map(([title, keys]) => {
     const mine = left.filter((field) => keys.some((key) => (key.endsWith(".") ? named(field).startsWith(key) : named(field) === key)));
     for (const field of mine) left.splice(left.indexOf(field), 1);
-    if (title === "Opening hours") mine.unshift(...mine.splice(mine.findIndex((field) => field.key === "every_day"), 1));
+    if (title === t("Opening hours")) mine.unshift(...mine.splice(mine.findIndex((field) => field.key === "every_day"), 1));
     const rows = mine.map((field) => fieldRow(settings, named(field), field, settingHow(named(field))));
-    if (title === "The exhibit") rows.push(titleRows(), languageList());
-    if (title === "Opening hours") rows.push(exceptions());
+    if (title === t("The exhibit")) rows.push(titleRows(), languageList());
+    if (title === t("Opening hours")) rows.push(exceptions());
     return section(title, ...rows);
   });
   $("settings-fields").replaceChildren(...sections);
@@ -64,10 +56,10 @@ function drawSettings() {
 
 function settingHow(key) {
   const how = { label: LABELS[key], help: HELP[key] };
-  if (key === "attract.scripts") Object.assign(how, { allowed: "Names with commas between them.", lines: 3 });
+  if (key === "attract.scripts") Object.assign(how, { allowed: t("Names with commas between them."), lines: 3 });
   if (key.startsWith("hours.") && key !== "hours.screen_off") {
-    how.allowed = key === "hours.every_day" ? "10:00-18:00, or 10:00-12:30, 14:00-18:00, or closed. Empty: always open." : "";
-    how.help = key === "hours.every_day" ? "" : "Empty: as every day.";
+    how.allowed = key === "hours.every_day" ? t("10:00-18:00, or 10:00-12:30, 14:00-18:00, or closed. Empty: always open.") : "";
+    how.help = key === "hours.every_day" ? "" : t("Empty: as every day.");
   }
   return how;
 }
@@ -77,7 +69,7 @@ function titleRows() {
   const field = settings.fields.find(({ table }) => table === "title");
   const languages = settings.now("languages") ?? ["en", "ko"];
   return made("div", { className: "wide fields" }, ...languages.map((code) => fieldRow(settings, "title." + code, field,
-    { label: "Title, " + languageName(code), lang: code, help: "", allowed: "", usual: "" })));
+    { label: t("Title, {language}", { language: languageName(code) }), lang: code, help: "", allowed: "", usual: "" })));
 }
 
 /** The languages: which, and in which order. */
@@ -98,7 +90,7 @@ function languageList() {
         $("language-" + code).focus();
       });
       const item = made("li", { draggable: on }, box, made("label", { htmlFor: box.id }, languageName(code)),
-        ...(code === codes[0] ? [made("span", { className: "small" }, "at the start")] : []), ...(on ? wayButtons(languageName(code)) : []));
+        ...(code === codes[0] ? [made("span", { className: "small" }, t("at the start"))] : []), ...(on ? wayButtons(languageName(code)) : []));
       item.dataset.id = code;
       return item;
     }));
@@ -110,8 +102,8 @@ function languageList() {
     show(next);
   });
   const fault = made("p", { className: "fault" });
-  settings.rows.set("languages", { show: () => list.querySelector("input").focus(), fault: (found) => fault.replaceChildren(...(found ? [made("strong", {}, found.what), " " + found.remedy] : [])) });
-  return made("div", { className: "field wide" }, made("h3", {}, "Languages"), list, fault);
+  settings.rows.set("languages", { show: () => list.querySelector("input").focus(), fault: (found) => fault.replaceChildren(...faultWords(found)) });
+  return made("div", { className: "field wide" }, made("h3", {}, t("Languages")), list, fault);
 }
 
 /** Days with hours of their own. */
@@ -121,10 +113,10 @@ function exceptions() {
   const days = new Set(Object.keys(settings.was("hours.exceptions") ?? {}));
   for (const [name] of settings.changes) if (name.startsWith("hours.exceptions.")) days.add(name.slice(17).replaceAll('"', ""));
   const place = made("div", { className: "fields" });
-  const row = (day) => fieldRow(settings, key(day), field, { label: day, help: "Empty: no exception.", allowed: "", usual: "" });
+  const row = (day) => fieldRow(settings, key(day), field, { label: day, help: t("Empty: no exception."), allowed: "", usual: "" });
   place.append(...[...days].sort().map(row));
   const day = made("input", { id: "exception-day", placeholder: "12-25", autocomplete: "off" });
-  const add = made("button", { type: "button", className: "quiet" }, "Add this day"), wrong = made("p", { className: "fault" });
+  const add = made("button", { type: "button", className: "quiet" }, t("Add this day")), wrong = made("p", { className: "fault" });
   wrong.setAttribute("role", "alert");
   day.addEventListener("keydown", (event) => {
     if (event.key !== "Enter") return;
@@ -133,15 +125,15 @@ function exceptions() {
   });
   add.addEventListener("click", () => {
     const name = day.value.trim(), good = /^(\d{4}-)?\d\d-\d\d$/.test(name);
-    wrong.textContent = good ? "" : "Write year, month and day (2026-12-24), or month and day (12-24).";
+    wrong.textContent = good ? "" : t("Write year, month and day (2026-12-24), or month and day (12-24).");
     if (!good || days.has(name)) return day.focus();
     days.add(name);
     settings.want(key(name), "closed");
     place.append(row(name));
     day.value = "";
   });
-  return made("div", { className: "field wide" }, made("h3", {}, "Days that are different"), place,
-    made("label", { htmlFor: "exception-day" }, "A date (2026-12-24), or a day of every year (12-24)"),
+  return made("div", { className: "field wide" }, made("h3", {}, t("Days that are different")), place,
+    made("label", { htmlFor: "exception-day" }, t("A date (2026-12-24), or a day of every year (12-24)")),
     made("div", { className: "value" }, day, add), wrong);
 }
 
@@ -149,8 +141,7 @@ async function showSettings() {
   showRevisions();
   if (settings.file && settings.dirty) return;
   try {
-    await waiting($("settings-words"), "Reading…", settings.load());
-    if (!settings.dirty && $("settings-words").textContent === "Reading…") $("settings-words").replaceChildren();
+    await reading($("settings-words"), settings.load());
   } catch (error) {
     tell($("settings-words"), error);
   }
@@ -164,7 +155,7 @@ async function showRevisions() {
     $("undo-forget").hidden = true;
     const words = ({ file, words: of }) => `${file}: ${of.replaceAll("\n", "; ")}`;
     $("revisions").replaceChildren(...all.map((one) => made("li", {}, `${one.when}  ${words(one)}`)));
-    $("undo-what").textContent = newest === null ? "Nothing was changed yet." : `The newest, of ${newest.when}: ${words(newest)}.`;
+    $("undo-what").textContent = newest === null ? t("Nothing was changed yet.") : t("The newest, of {time}: {change}.", { time: newest.when, change: words(newest) });
   } catch (error) {
     tell($("undo-words"), error);
   }
@@ -182,7 +173,7 @@ async function takeBack(forget) {
   $("undo").disabled = $("undo-forget").disabled = true;
   try {
     const begun = await ask("/api/undo", { id: newest.id, forget });
-    const said = await outcome(begun.number, $("undo-words"), "Looking at the whole exhibit, then taking it back…");
+    const said = await outcome(begun.number, $("undo-words"), t("Looking at the whole exhibit, then taking it back…"));
     await showRevisions();
     if (!said.done) {
       $("undo-forget").hidden = said.another_file === true;
@@ -190,7 +181,7 @@ async function takeBack(forget) {
     }
     // It is done, even where the file cannot be shown then.
     if (!settings.dirty) await settings.load().catch((error) => tell($("settings-words"), error));
-    $("undo-words").textContent = (forget ? "Forgotten, and the file stays as it is: " : "Taken back: ") + said.words.join(" ");
+    $("undo-words").textContent = (forget ? t("Forgotten, and the file stays as it is:") : t("Taken back:")) + " " + said.words.join(" ");
   } catch (error) {
     tell($("undo-words"), error);
   } finally {

@@ -21,14 +21,14 @@ function drawShelf() {
       const now = shelfEdit.now("hidden") ?? [];
       shelfEdit.want("hidden", box.checked ? now.filter((id) => id !== vessel.id) : [...now, vessel.id]);
     });
-    const label = made("button", { type: "button", className: "quiet" }, "Label");
-    label.setAttribute("aria-label", "Label: " + title);
+    const label = made("button", { type: "button", className: "quiet" }, t("Label"));
+    label.setAttribute("aria-label", t("Label") + ": " + title);
     label.addEventListener("click", () => openLabel(vessel));
     const picture = vessel.outline ? outlinePicture(vessel) : made("span", { className: "noimage" });
     const item = made("li", { draggable: true }, made("span", { className: "grip" }, "⠿"), picture,
       made("div", { className: "title" }, made("h3", { dir: "auto" }, title), made("p", { className: "small" },
-        vessel.id + (vessel.unfinished ? ". Unfinished: visitors do not see it yet." : ""))),
-      made("div", { className: "seen" }, box, made("label", { htmlFor: box.id }, "Shown")), label, made("div", {}, ...wayButtons(title)));
+        vessel.id + (vessel.unfinished ? `. ${t("Unfinished: visitors do not see it yet")}.` : ""))),
+      made("div", { className: "seen" }, box, made("label", { htmlFor: box.id }, t("Shown"))), label, made("div", {}, ...wayButtons(title)));
     item.dataset.id = vessel.id;
     return item;
   }));
@@ -45,9 +45,8 @@ async function showShelf() {
   if (labelEdit) return;
   if (shelfEdit.file && shelfEdit.dirty) return;
   try {
-    vessels = await waiting($("shelf-words"), "Reading…", ask("/api/shelf"));
+    vessels = await reading($("shelf-words"), ask("/api/shelf"));
     await shelfEdit.load();
-    if ($("shelf-words").textContent === "Reading…") $("shelf-words").replaceChildren();
     if (!$("scan-body").firstChild) showScan(); // one that was begun
     showOutlines();
   } catch (error) {
@@ -74,12 +73,12 @@ $("shelf-forget").addEventListener("click", () => shelfEdit.forget());
 // ---- A label
 
 const LINES = { title: 2, culture: 2, made: 4, text: 9, credit: 3 };
-const LABEL_WORDS = { title: "Title", what: "What it is", culture: "Who made it", date: "When", made: "How it was made", text: "Text", credit: "Whole credit line, in place of the museum’s and the shape’s", address: "Page about it" };
+const LABEL_WORDS = { title: t("Title"), what: t("What it is"), culture: t("Who made it"), date: t("When"), made: t("How it was made"), text: t("Text"), credit: t("Whole credit line, in place of the museum’s and the shape’s"), address: t("Page about it") };
 const ABOUT = {
-  institution: "Who keeps it", accession: "Its number there", source: "Where shape and figures are from", credit: "Credit of the shape",
-  licence: "Licence of the shape", address: "The museum’s page", true_height_mm: "Its true height", true_diameter_mm: "Its greatest diameter",
-  glazes: "Glazes that stand first", unfinished: "Unfinished: visitors do not see it yet", built: "It was built of coils",
-  paddle: "Face of its makers’ paddle", way: "How visitors decorate it",
+  institution: t("Who keeps it"), accession: t("Its number there"), source: t("Where shape and figures are from"), credit: t("Credit of the shape"),
+  licence: t("Licence of the shape"), address: t("The museum’s page"), true_height_mm: t("Its true height"), true_diameter_mm: t("Its greatest diameter"),
+  glazes: t("Glazes that stand first"), unfinished: t("Unfinished: visitors do not see it yet"), built: t("It was built of coils"),
+  paddle: t("Face of its makers’ paddle"), way: t("How visitors decorate it"),
 };
 let labelEdit = null, labelVessel = null;
 
@@ -101,7 +100,7 @@ async function openLabel(vessel) {
   // A label comes before its language is offered, too.
   const others = [...new Set([...offered, ...shelfEdit.file.languages])].slice(1);
   $("label-beside").replaceChildren(...others.map((code) => made("option", { value: code },
-    languageName(code) + (offered.includes(code) ? "" : " (not offered yet)"))));
+    languageName(code) + (offered.includes(code) ? "" : ` (${t("not offered yet")})`))));
   try {
     await edit.load();
     edits.push(edit);
@@ -120,7 +119,7 @@ function preview(edit, code) {
   const of = (key) => edit.now(`label.${code}.${key}`) ?? "";
   const card = made("div", { className: "card", lang: code, dir: "auto" });
   if (!of("title")) {
-    card.append(made("p", { className: "small", dir: "ltr", lang: "en" }, `No label in ${languageName(code)}: visitors read another language’s.`));
+    card.append(made("p", { className: "small", dir: document.documentElement.dir, lang: speech.code }, t("No label in {language}: visitors read another language’s.", { language: languageName(code) })));
     return card;
   }
   card.append(made("h4", {}, of("title")), made("p", { className: "small" }, [of("culture"), of("date")].filter(Boolean).join(", ")),
@@ -137,7 +136,7 @@ function drawLabel(edit) {
     const seen = made("div", {}, preview(edit, code));
     const rows = fields.map((field) => fieldRow(edit, `label.${code}.${field.key}`, field,
       { label: LABEL_WORDS[field.key], lang: code, lines: LINES[field.key], help: "", usual: "" }));
-    const column = section(languageName(code), ...rows, made("div", { className: "wide" }, made("h3", {}, "What a visitor reads"), seen));
+    const column = section(languageName(code), ...rows, made("div", { className: "wide" }, made("h3", {}, t("What a visitor reads")), seen));
     column.addEventListener("input", () => seen.replaceChildren(preview(edit, code)));
     return column;
   }));
@@ -146,10 +145,15 @@ function drawLabel(edit) {
   // What a whole label has besides.
   for (const { key, what } of edit.file.gaps ?? []) {
     const row = document.getElementById(`field-${edit.name.replace(/\W/g, "-")}-${key.replace(/\W/g, "-")}-said`);
-    if (row && !edit.changes.has(key)) row.replaceChildren(made("strong", { className: "gap" }, atItsField({ key, what, remedy: "" })[0].replace("This is missing", "Still to be written").replace(/^./, (first) => first.toUpperCase())), " ", row.textContent);
+    if (row && !edit.changes.has(key)) row.replaceChildren(made("strong", { className: "gap" }, gapWords(key, what)), " ", row.textContent);
   }
   const gaps = languages.filter((code) => !edit.now(`label.${code}.title`));
-  $("label-gaps").textContent = gaps.length === 0 ? "" : "Still without a label: " + gaps.map(languageName).join(", ") + ".";
+  $("label-gaps").textContent = gaps.length === 0 ? "" : t("Still without a label: {languages}.", { languages: listed(gaps.map(languageName)) });
+}
+/** What is still to be written, said at its field. */
+function gapWords(key, what) {
+  const words = atItsField({ key, what, remedy: "" })[0].replace(/^./, (first) => first.toUpperCase());
+  return words.startsWith("This is missing") ? t("Still to be written.") : quoted(words);
 }
 /** The drawn sheet, when somebody wants to see it; it takes a moment. */
 async function showSheet() {
@@ -158,13 +162,13 @@ async function showSheet() {
   for (let seconds = 0; $("label-sheet").open && edit === labelEdit; ++seconds) {
     try {
       const answer = await fetch("/sheet/" + encodeURIComponent(of));
-      if (answer.status === 200) return place.replaceChildren(made("img", { src: answer.url, alt: "Section and view of the vessel, with its figures", className: "plot" }));
+      if (answer.status === 200) return place.replaceChildren(made("img", { src: answer.url, alt: t("Section and view of the vessel, with its figures"), className: "plot" }));
       const said = await answer.json();
-      if (!said.drawing) return tell(place, Object.assign(new Error(said.what), { remedy: said.remedy }));
+      if (!said.drawing) return tell(place, refusal(said));
     } catch {
-      return place.replaceChildren("It cannot be shown.");
+      return place.replaceChildren(t("It cannot be shown."));
     }
-    place.replaceChildren(`Drawing it… (${seconds} s)`);
+    place.replaceChildren(t("Drawing it…") + since(seconds));
     await new Promise((done) => setTimeout(done, 1000));
   }
 }
@@ -174,7 +178,7 @@ $("label-form").addEventListener("submit", (event) => { event.preventDefault(); 
 $("label-forget").addEventListener("click", () => labelEdit.forget());
 $("label-close").addEventListener("click", () => {
   if (labelEdit.dirty) {
-    labelEdit.say("Save your changes first, or forget them.");
+    labelEdit.say(saveFirst);
     return;
   }
   edits.splice(edits.indexOf(labelEdit), 1);

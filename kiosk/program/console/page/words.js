@@ -2,6 +2,18 @@
 "use strict";
 
 const MOST_FOUND = 60, MOST_CHANGES = 50; // that are checked at once
+/** What each table of a language's file is about. */
+const GROUPS = {
+  all: t("Everywhere"), attract: t("The first screen"), clay: t("Touching the clay"), choose: t("The shelf"), tool: t("Tools"), throw: t("At the wheel"),
+  lesson_keys: t("The first minute, by keys"), show: t("Shown by drawn hands"), stroke: t("Strokes by buttons"), off: t("How far off a pot is"),
+  access: t("Read aloud"), hint: t("Hints at the wheel"), place: t("Places on the wall"), result: t("The result"), mission: t("Missions"),
+  decorate: t("Decorating"), kiln: t("The kiln"), keepsake: t("The keepsake"), phone: t("On the phone"), gallery: t("Today’s pots"),
+  postcard: t("The postcard"), sheet: t("The drawn sheet"), leaving: t("Leaving a pot"), idle: t("Are you still there?"), fault: t("When something fails"),
+  help: t("Help at the wheel"), comfort: t("Accessibility"), alike: t("What is alike"), plain: t("What to do next time"), remark: t("What to mend, in millimetres"),
+  difference: t("What differs, in millimetres"), remark_part: t("What to mend, in parts"), difference_part: t("What differs, in parts"),
+  part: t("Parts"), month: t("Months"), staff: t("For the staff"), opening: t("When the kiosk starts"),
+};
+const groupName = (table) => GROUPS[table.slice("text.".length)] ?? t(asLabel(table.slice("text.".length).replaceAll(".", " ")));
 let wordsEdit = null;
 
 async function showWords() {
@@ -9,7 +21,7 @@ async function showWords() {
   try {
     const exhibit = await ask("/api/edit/exhibit"), offered = exhibit.values.languages ?? ["en", "ko"];
     const codes = [...new Set([...offered, ...exhibit.languages])], chosen = $("words-which").value;
-    $("words-which").replaceChildren(...codes.map((code) => made("option", { value: code }, languageName(code) + (offered.includes(code) ? "" : " (not offered yet)"))));
+    $("words-which").replaceChildren(...codes.map((code) => made("option", { value: code }, languageName(code) + (offered.includes(code) ? "" : ` (${t("not offered yet")})`))));
     $("words-which").value = codes.includes(chosen) ? chosen : codes.find((code) => code !== "en") ?? codes[0];
     await openWords();
   } catch (error) {
@@ -26,7 +38,7 @@ async function openWords() {
   edit.want = (key, value) => {
     if (edit.changes.size < MOST_CHANGES || edit.changes.has(key)) return want(key, value);
     edit.redraw();
-    edit.say("These are many changes: save them first.");
+    edit.say(t("These are many changes: save them first."));
   };
   edit.reach = (key) => {
     $("words-find").value = key.slice("text.".length);
@@ -35,12 +47,11 @@ async function openWords() {
   edits.push(wordsEdit = edit);
   edit.say("");
   try {
-    await waiting($("words-words"), "Reading…", edit.load());
-    if ($("words-words").textContent === "Reading…") edit.say("");
+    await reading($("words-words"), edit.load());
   } catch (error) {
     if (edit.gone) return;
     $("words-body").replaceChildren();
-    if (error.status === 404) edit.say("This exhibit has no words of its own in this language: it uses the program’s.");
+    if (error.status === 404) edit.say(t("This exhibit has no words of its own in this language: it uses the program’s."));
     else tell($("words-words"), error);
   }
 }
@@ -51,15 +62,15 @@ function drawWords(edit) {
   const row = (field) => fieldRow(edit, key(field), field, { label: field.words, lang: code, help: key(field).slice(5), usual: "", lines: field.words.length > 45 ? 2 : 0 });
   if (wanted) {
     const found = edit.fields.filter((field) => [field.words, edit.now(key(field)) ?? "", key(field)].some((words) => words.toLowerCase().includes(wanted)));
-    const count = found.length === 1 ? "One text" : `${found.length} texts`;
-    $("words-body").replaceChildren(made("p", {}, found.length === 0 ? "Nothing is called so." : found.length > MOST_FOUND ? `${count}; the first ${MOST_FOUND} are shown.` : count + "."),
+    const count = found.length === 0 ? t("Nothing is called so.") : tn(found.length, "One text.", "{count} texts.");
+    $("words-body").replaceChildren(made("p", {}, count + (found.length > MOST_FOUND ? " " + t("The first {count} are shown.", { count: MOST_FOUND }) : "")),
       made("div", { className: "fields" }, ...found.slice(0, MOST_FOUND).map(row)));
     return;
   }
   const groups = Map.groupBy ? Map.groupBy(edit.fields, ({ table }) => table) : edit.fields.reduce((all, field) => all.set(field.table, [...(all.get(field.table) ?? []), field]), new Map());
   $("words-body").replaceChildren(...[...groups].map(([table, fields]) => {
     const changed = fields.some((field) => edit.changes.has(key(field))), place = made("div", { className: "fields" });
-    const details = made("details", { open: changed || unfolded.has(table) }, made("summary", {}, `${table === "text.all" ? "Everywhere" : asLabel(table.slice(5).replaceAll(".", " "))} (${fields.length})`), place);
+    const details = made("details", { open: changed || unfolded.has(table) }, made("summary", {}, `${groupName(table)} (${fields.length})`), place);
     const fill = () => { if (details.open && !place.firstChild) place.append(...fields.map(row)); };
     fill();
     details.addEventListener("toggle", () => {
@@ -73,7 +84,7 @@ function drawWords(edit) {
 $("words-which").addEventListener("change", () => {
   if (wordsEdit?.dirty) {
     $("words-which").value = wordsEdit.name.slice("language/".length);
-    wordsEdit.say("Save your changes first, or forget them.");
+    wordsEdit.say(saveFirst);
     return;
   }
   openWords();

@@ -1,8 +1,8 @@
 """Nobody is kept out of the staff's page: axe-core finds nothing (WCAG 2.2, A and AA), everything is reached by keys alone.
 
 usage: staff_access_test.py --console build/.../onggi-console --onggi build/.../onggi [--every]
-Each page once; with --every on each screen, light and dark, and enlarged twice. Skipped (77) where there is no chromium, or
-no axe-core and no network to fetch it.
+Each page once, and in Arabic on a phone; with --every in English, Korean and Arabic on each screen, light and dark, and
+enlarged twice. Skipped (77) where there is no chromium, or no axe-core and no network to fetch it.
 """
 import itertools
 import sys
@@ -14,41 +14,11 @@ from staff_site import SIZES
 ENLARGED = {"desk at 200 %": (640, 400), "tablet at 200 %": (410, 590)}  # a browser's zoom: half as many pixels of the page
 
 
-def opened(page, selector, ready):
-    page.tap(selector)
-    page.wait(ready, selector)
-
-
-# Every page: the part, and what is opened in it.
-PAGES = {part: (part, ()) for part in staff_site.PARTS}
-PAGES.update({
-    "keepsake": ("desk", ((".pot", "document.getElementById('pot').open"),)),
-    "passphrase": ("now", (("#own", "document.getElementById('passphrase').open"),)),
-    "label": ("shelf", (("#shelf-list button[aria-label^='Label']", "!document.getElementById('label').hidden"),)),
-    "scan": ("shelf", (("#scan summary", "document.getElementById('scan').open"),)),
-    "scene": ("scenes", (("#scenes-list button", "!document.getElementById('scene').hidden"),)),
-    "look": ("settings", (("#settings-form .see", "document.getElementById('look').open"),)),
-    "word": ("words", (("#words-body summary", "!!document.querySelector('#words-body details[open] input, #words-body details[open] textarea')"),)),
-    "taken back": ("settings", (("[data-part=settings] > details summary", "document.querySelector('[data-part=settings] > details').open"),)),
-})
-
-
 class StaffAccess(staff_site.StaffSite):
     def setUp(self):
         if not staff_site.checks():
             self.skipTest("onggi is not built here, and the page asks it")
         super().setUp()
-
-    def show(self, page, name):
-        part, steps = PAGES[name]
-        page.go(f"{self.at}/#{part}")
-        page.wait("!!document.querySelector(" + repr(staff_site.PARTS[part]) + ")", part)
-        if name == "keepsake":
-            page.value("document.getElementById('day').value = ''")
-            page.tap("#find button")
-            page.wait("document.querySelectorAll('#pots li').length === 2", "both keepsakes")
-        for selector, ready in steps:
-            opened(page, selector, ready)
 
     def come_in_again(self, page, cookie):
         page.say("Network.setCookie", name=cookie["name"], value=cookie["value"], url=self.at)
@@ -79,20 +49,25 @@ class StaffAccess(staff_site.StaffSite):
             page.value("document.getElementById('lines').append(document.createElement('input'))")
             self.assertTrue(any(fault.startswith("label: ") for fault in axe.faults(page, SCRIPT)))
         screens = {**SIZES, **ENLARGED}
-        every = list(itertools.product(PAGES, screens, (False, True)))
-        some = [(name, list(screens)[n % 3], n % 2 == 1) for n, name in enumerate(PAGES)]
+        every = list(itertools.product(staff_site.PAGES, screens, (False, True), ("en", "ko", "ar")))
+        some = [(name, list(screens)[n % 3], n % 2 == 1, "en") for n, name in enumerate(staff_site.PAGES)]
+        arabic = [(name, "phone", n % 2 == 0, "ar") for n, name in enumerate(staff_site.PAGES)]
         found = {}
-        for name, screen, dark in every if staff_site.ARGUMENTS.every else some:
-            with self.browser.page(*screens[screen], scale=1, dark=dark) as page:
+        for name, screen, dark, code in every if staff_site.ARGUMENTS.every else some + arabic:
+            view = f"{name}, {screen}, {'dark' if dark else 'light'}, {code}"
+            with self.browser.page(*screens[screen], scale=1, dark=dark, before=self.speaking(code)) as page:
                 page.say("Network.setCookie", name=cookie["name"], value=cookie["value"], url=self.at)
                 self.show(page, name)
+                page.wait(f"document.documentElement.lang === {code!r} && typeof loaded !== 'undefined' && loaded", view)
+                if code == "ar":
+                    self.looked_at(page, view.replace(", ", "_"))
                 if faults := axe.faults(page, SCRIPT):
-                    found[f"{name}, {screen}, {'dark' if dark else 'light'}"] = faults
+                    found[view] = faults
         self.assertEqual(found, {})
 
     def test_everything_is_reached_by_the_tab_key_and_seen_when_it_is(self):
         cookie = self.named()
-        for name in PAGES if staff_site.ARGUMENTS.every else ("settings", "label", "keepsake", "look", "scene"):
+        for name in staff_site.PAGES if staff_site.ARGUMENTS.every else ("settings", "label", "keepsake", "look", "scene"):
             with self.page() as page:
                 page.say("Network.setCookie", name=cookie["name"], value=cookie["value"], url=self.at)
                 self.show(page, name)

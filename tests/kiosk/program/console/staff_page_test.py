@@ -52,7 +52,7 @@ class StaffPage(staff_site.StaffSite):
             page.wait("!!document.querySelector('#lines li')")
         with self.page() as page:
             page.go(self.way_in)
-            self.assertIn("not good any more", self.text(page, "#said"))
+            page.wait("document.getElementById('said').innerText.includes('not good any more')", "why not")
             page.wait("document.getElementById('other').open", "how to come in")
             self.assertIn("behind this page", self.text(page, "main"))
 
@@ -65,7 +65,7 @@ class StaffPage(staff_site.StaffSite):
             page.go(self.way_in)
             page.wait("!!document.querySelector('#lines li')")
             page.value("location.hash = '#desk'")
-            page.wait("document.querySelector('#found').innerText.includes('Nothing was kept today')")
+            page.wait("document.querySelector('#found').innerText.includes('Today: nothing was kept.')")
             page.value("document.getElementById('name').value = 'Heron'")
             page.tap("#find button")
             page.wait("document.querySelectorAll('#pots li').length === 1", "the heron")

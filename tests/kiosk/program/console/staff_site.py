@@ -15,6 +15,18 @@ import browser as browsers  # noqa: E402
 SIZES = {"desk": (1280, 800), "tablet": (820, 1180), "phone": (360, 740)}
 PARTS = {"now": "#lines li", "desk": "#found:not(:empty)", "figures": "#figures-words:not(:empty)", "files": "#files-list li",
          "settings": "#settings-fields fieldset", "shelf": "#shelf-list li", "lists": "#list-body fieldset", "scenes": "#scenes-list li", "words": "#words-body details", "people": "#people-list"}
+# Every page: the part, and what is opened in it.
+PAGES = {part: (part, ()) for part in PARTS}
+PAGES.update({
+    "keepsake": ("desk", ((".pot", "document.getElementById('pot').open"),)),
+    "passphrase": ("now", (("#own", "document.getElementById('passphrase').open"),)),
+    "label": ("shelf", (("#shelf-list li > button", "!document.getElementById('label').hidden"),)),
+    "scan": ("shelf", (("#scan summary", "document.getElementById('scan').open"),)),
+    "scene": ("scenes", (("#scenes-list button", "!document.getElementById('scene').hidden"),)),
+    "look": ("settings", (("#settings-form .see", "document.getElementById('look').open"),)),
+    "word": ("words", (("#words-body summary", "!!document.querySelector('#words-body details[open] input, #words-body details[open] textarea')"),)),
+    "taken back": ("settings", (("[data-part=settings] > details summary", "document.querySelector('[data-part=settings] > details').open"),)),
+})
 JAR, OLLA = "2026-05-28_141503_moon_jar", "2026-05-28_101500_olla"
 
 
@@ -81,11 +93,29 @@ class StaffSite(unittest.TestCase):
     def text(self, page, selector):
         return page.value(f"document.querySelector({selector!r}).innerText")
 
+    @staticmethod
+    def speaking(code):
+        """Makes the browser's own language `code`, for page(before=...)."""
+        return f"Object.defineProperty(navigator, 'languages', {{ get: () => [{code!r}] }});"
+
     def come_in(self, page, part="now"):
         page.go(self.way_in)
         page.wait("!!document.querySelector('#lines li')", "the state")
         page.value(f"location.hash = '#{part}'")
         page.wait(f"!!document.querySelector({PARTS[part]!r})", part)
+
+    def show(self, page, name):
+        """One of PAGES, in a browser that is in."""
+        part, steps = PAGES[name]
+        page.go(f"{self.at}/#{part}")
+        page.wait("!!document.querySelector(" + repr(PARTS[part]) + ")", part)
+        if name == "keepsake":
+            page.value("document.getElementById('day').value = ''")
+            page.tap("#find button")
+            page.wait("document.querySelectorAll('#pots li').length === 2", "both keepsakes")
+        for selector, ready in steps:
+            page.tap(selector)
+            page.wait(ready, selector)
 
     def cookie_to(self, page, other):
         """Lets `other` in as `page` is."""

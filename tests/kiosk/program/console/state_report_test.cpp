@@ -33,6 +33,25 @@ Known well() {
   return k;
 }
 
+/// What an English page says.
+std::string english(const Sentence& sentence) {
+  if (sentence.english.empty()) return std::to_string(sentence.count);
+  std::string text = sentence.one.empty() || sentence.count != 1 ? sentence.english : sentence.one;
+  const auto fill = [&](const std::string& name, const std::string& words) {
+    for (std::size_t at; (at = text.find('{' + name + '}')) != std::string::npos;)
+      text.replace(at, name.size() + 2, words);
+  };
+  if (!sentence.one.empty()) fill("count", std::to_string(sentence.count));
+  for (const auto& [name, words] : sentence.values) fill(name, english(words));
+  return text;
+}
+
+std::string english(const std::vector<Sentence>& sentences) {
+  std::string text;
+  for (const Sentence& sentence : sentences) text += (text.empty() ? "" : " ") + english(sentence);
+  return text;
+}
+
 const Line* line(const std::vector<Line>& lines, const std::string& id) {
   const auto found = std::ranges::find(lines, id, &Line::id);
   return found == lines.end() ? nullptr : &*found;
@@ -41,15 +60,16 @@ const Line* line(const std::vector<Line>& lines, const std::string& id) {
 TEST(StateReport, OfAKioskThatIsWellSaysSoInWordsAndAsksForNothing) {
   const auto lines = report_of(well());
   for (const Line& one : lines) {
-    EXPECT_EQ(one.mood, Mood::good) << one.id << ": " << one.says;
-    EXPECT_EQ(one.remedy, "") << one.id;
-    EXPECT_TRUE(one.says.ends_with('.')) << one.says;
+    EXPECT_EQ(one.mood, Mood::good) << one.id << ": " << english(one.says);
+    EXPECT_EQ(one.remedy.english, "") << one.id;
+    EXPECT_TRUE(english(one.says).ends_with('.')) << english(one.says);
+    EXPECT_EQ(english(one.says).find('{'), std::string::npos) << english(one.says);
   }
   EXPECT_EQ(lines.front().id, "kiosk");
-  EXPECT_THAT(lines.front().says,
+  EXPECT_THAT(english(lines.front().says),
               HasSubstr("waits for a visitor, with the moon jar on the wheel."));
-  EXPECT_THAT(line(lines, "wheel")->says, HasSubstr("0 of 3,600,000 ticks were late"));
-  EXPECT_EQ(line(lines, "disk")->says, "12.0 GB are free for keepsakes.");
+  EXPECT_THAT(english(line(lines, "wheel")->says), HasSubstr("0 of 3600000 ticks were late"));
+  EXPECT_EQ(english(line(lines, "disk")->says), "12.0 GB are free for keepsakes.");
   EXPECT_EQ(line(lines, "phones"), nullptr);
   EXPECT_EQ(line(lines, "trouble"), nullptr);
   EXPECT_THAT(json_of(lines).text(-1), HasSubstr("\"mood\":\"good\""));
@@ -78,7 +98,7 @@ TEST(StateReport, SaysWhatIsWrongAndWhatToDo) {
        [](Known& k) { k.kiosk.state->exhibit = "/elsewhere/config/exhibit.toml"; }},
       {"picture", Mood::look, "12 pictures a second",
        [](Known& k) { k.kiosk.state->frames_a_second = 12; }},
-      {"wheel", Mood::look, "1,000 were lost",
+      {"wheel", Mood::look, "1000 were lost",
        [](Known& k) { k.kiosk.state->health.lost_ticks = 1000; }},
       {"keepsakes", Mood::wrong, "2 could not be saved",
        [](Known& k) { k.kiosk.state->health.not_kept = 2; }},
@@ -99,16 +119,35 @@ TEST(StateReport, SaysWhatIsWrongAndWhatToDo) {
     const auto lines = report_of(k);
     const Line* found = line(lines, c.id);
     ASSERT_NE(found, nullptr) << c.says;
-    EXPECT_THAT(found->says, HasSubstr(c.says));
+    EXPECT_THAT(english(found->says), HasSubstr(c.says));
     EXPECT_EQ(found->mood, c.mood) << c.says;
-    EXPECT_NE(found->remedy, "") << c.says;
+    EXPECT_NE(found->remedy.english, "") << c.says;
+    EXPECT_EQ((english(found->says) + english(found->remedy)).find('{'), std::string::npos)
+        << english(found->says);
     // Nothing else is spoiled by it, but for what a silent kiosk no longer says.
     for (const Line& other : lines) {
       if (other.id != c.id) {
-        EXPECT_EQ(other.mood, Mood::good) << other.says;
+        EXPECT_EQ(other.mood, Mood::good) << english(other.says);
       }
     }
   }
+}
+
+TEST(StateReport, IsSentAsSentencesThatAPageSaysInItsOwnLanguage) {
+  Known k = well();
+  k.file_problems = 1;
+  k.kiosk.state->trouble = files::Trouble{{"a.toml", "It is wrong.", "Mend it."}, kNow - 60, 1};
+  const std::string json = json_of(report_of(k)).text(-1);
+  EXPECT_THAT(
+      json, HasSubstr(R"("english":"onggi check finds {count} problems in the exhibit's files.")"));
+  EXPECT_THAT(json, HasSubstr(R"("one":"onggi check finds one problem in the exhibit's files.")"));
+  EXPECT_THAT(json, HasSubstr(R"("count":1)"));
+  // A sentence within another one, and a name that is the same in every language.
+  EXPECT_THAT(json, HasSubstr(R"("when":{"english":"today at {time}","values":{"time":")"));
+  EXPECT_THAT(json, HasSubstr(R"("values":{"vessel":"moon jar"})"));
+  EXPECT_THAT(json, HasSubstr(R"({"english":"Mend it.","values":{},"theirs":true})"));
+  EXPECT_THAT(json, HasSubstr(R"("all":3600000)"));  // each language writes a number in its own way
+  EXPECT_THAT(json_of(report_of(well())).text(-1), HasSubstr(R"("remedy":null)"));
 }
 
 TEST(StateReport, OfAKioskThatIsOffSaysNothingOfPictureWheelAndDevices) {
@@ -125,10 +164,10 @@ TEST(StateReport, InTheDarkAndWhileItBeginsFewPicturesAreNoFault) {
   k.kiosk.state->frames_a_second = 1;
   k.kiosk.state->health.dark = true;
   EXPECT_EQ(line(report_of(k), "picture")->mood, Mood::good);
-  EXPECT_THAT(report_of(k).front().says, HasSubstr("outside the opening hours"));
+  EXPECT_THAT(english(report_of(k).front().says), HasSubstr("outside the opening hours"));
   k.kiosk.state->health.dark = k.kiosk.state->open = false;
   EXPECT_EQ(line(report_of(k), "picture")->mood, Mood::good);
-  EXPECT_THAT(report_of(k).front().says, HasSubstr("still reads the vessels"));
+  EXPECT_THAT(english(report_of(k).front().says), HasSubstr("still reads the vessels"));
 }
 
 TEST(StateReport, ATroubleOfYesterdayIsToldAndIsNoLongerAWarning) {
@@ -136,7 +175,7 @@ TEST(StateReport, ATroubleOfYesterdayIsToldAndIsNoLongerAWarning) {
   k.kiosk.state->trouble = files::Trouble{{"a.toml", "It is wrong.", "Mend it."}, kNow - 90'000, 1};
   const auto lines = report_of(k);
   EXPECT_EQ(line(lines, "trouble")->mood, Mood::good);
-  EXPECT_THAT(line(lines, "trouble")->says, Not(HasSubstr("the last of")));
+  EXPECT_THAT(english(line(lines, "trouble")->says), Not(HasSubstr("the last of")));
 }
 
 }  // namespace
