@@ -362,7 +362,7 @@ class StaffEdit(staff_site.StaffSite):
                     page.value(f"document.getElementById('person-{field}').value = {value!r}")
                 page.tap("#person button")
                 page.wait(f"document.querySelector('#people-list').innerText.includes({name!r})", name)
-        with self.page() as page:
+        with self.page(before=self.speaking("ar")) as page:  # the language with the most letters
             page.go(self.at)
             page.wait("!document.getElementById('enter').hidden", "to sign in")
             for field, value in (("name", "maria"), ("passphrase", "the passphrase of maria")):
