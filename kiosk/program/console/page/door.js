@@ -1,11 +1,6 @@
 // Signs in; base.js comes before it. Where nobody has a name yet, the other way in is open.
 "use strict";
 
-fetch("/api/door").then((answer) => answer.json()).then(({ names }) => {
-  $("enter").hidden = !names;
-  if (!names) $("other").open = true;
-});
-
 if (location.search.includes("code=")) {
   $("said").textContent = t("This code is not good any more: it opens once, and within an hour.");
   $("other").open = true;
@@ -30,4 +25,9 @@ $("enter").addEventListener("submit", async (event) => {
   tell($("said"), refusal(said));
   $("passphrase").value = "";
   $("passphrase").focus();
+});
+// Not before: the browser itself would send the form, with the passphrase in the address.
+fetch("/api/door").then((answer) => answer.json()).then(({ names }) => {
+  $("enter").hidden = !names;
+  if (!names) $("other").open = true;
 });
