@@ -43,13 +43,24 @@ function translate(root) {
 }
 
 const learn = (words) => { for (const [english, own] of Object.entries(words)) speech.words.set(english, own); };
+// Late words are no reason to wait any longer: the page speaks English then.
+const wordsAt = (address) => fetch(address, { signal: AbortSignal.timeout(5000) }).then((answer) => answer.json());
+/** What was chosen in this browser; a browser may forbid to keep it. */
+function remembered(code) {
+  try {
+    if (code) localStorage.setItem("language", code);
+    return localStorage.getItem("language");
+  } catch {
+    return null;
+  }
+}
 /** The language that somebody chose here, else the first of the browser's that there is. */
 async function speak() {
-  speech.names = await fetch("/words").then((answer) => answer.json());
-  const wanted = [localStorage.getItem("language"), ...navigator.languages.map((one) => one.split("-")[0])];
+  speech.names = await wordsAt("/words");
+  const wanted = [remembered(), ...navigator.languages.map((one) => one.split("-")[0])];
   const code = wanted.find((one) => one === "en" || one in speech.names) ?? "en";
   if (code !== "en") {
-    const language = await fetch("/words/" + code).then((answer) => answer.json());
+    const language = await wordsAt("/words/" + code);
     learn(language.page);
     speech.code = document.documentElement.lang = code;
     document.documentElement.dir = language.right_to_left ? "rtl" : "ltr";
@@ -61,7 +72,7 @@ async function speak() {
   $("speak").value = code;
   $("speak").hidden = $("speak").options.length < 2;
   $("speak").addEventListener("change", () => {
-    localStorage.setItem("language", $("speak").value);
+    remembered($("speak").value);
     location.reload();
   });
 }
@@ -75,7 +86,7 @@ const languageName = (code) => {
 /** The words that editors alone need, and the parts of the page that say them. */
 async function speakOfEditing() {
   if (speech.code === "en") return;
-  learn((await fetch(`/words/${speech.code}/editors`).then((answer) => answer.json())).editors);
+  learn((await wordsAt(`/words/${speech.code}/editors`)).editors);
   for (const root of document.querySelectorAll("[data-editors]")) translate(root);
 }
 
