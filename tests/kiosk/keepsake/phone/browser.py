@@ -37,7 +37,7 @@ LAYOUT = """(() => {
     if (!e.checkVisibility()) continue;
     const box = e.getBoundingClientRect(), name = e.tagName + " " + e.textContent.slice(0, 30);
     if (box.left < -0.5 || box.right > wide + 0.5) found.push(name + " lies outside");
-    if (e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0) found.push(name + " is cut off");
+    if (e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0 && getComputedStyle(e).overflowX !== "auto") found.push(name + " is cut off");
     if (![...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim())) continue;
     ++words;
     const a = light(parts(getComputedStyle(e).color)), b = light(behind(e));
