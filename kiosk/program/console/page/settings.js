@@ -90,7 +90,7 @@ function languageList() {
         $("language-" + code).focus();
       });
       const item = made("li", { draggable: on }, box, made("label", { htmlFor: box.id }, languageName(code)),
-        ...(code === codes[0] ? [made("span", { className: "small" }, t("at the start"))] : []), ...(on ? wayButtons(languageName(code)) : []));
+        ...(code === codes[0] ? [made("span", { className: "small" }, t("at the start"))] : []), ...(on ? [made("div", {}, ...wayButtons(languageName(code)))] : []));
       item.dataset.id = code;
       return item;
     }));
