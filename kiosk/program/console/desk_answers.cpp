@@ -76,24 +76,26 @@ Json json_of(const view::SquareCode& code) {
   return rows;
 }
 
-/// By name, by how its day or time begins, or by a word of its vessel.
-std::vector<souvenir::NamedVisit> called(const desk::Kept& kept, const std::string& typed) {
-  std::vector<souvenir::NamedVisit> found = kept.called(typed);
-  if (!found.empty()) return found;
-  std::string vessel = typed;
-  std::transform(vessel.begin(), vessel.end(), vessel.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const souvenir::NamedVisit& one : kept.visits)
-    if (desk::time_of(one.visit).starts_with(typed) ||
-        desk::in_words(desk::vessel_of(one.visit)).find(vessel) != std::string::npos)
-      found.push_back(one);
-  return found;
-}
-
 }  // namespace
 
 bool DeskAnswers::has(const std::string& visit) {
   return is_visit(site_.exhibit().keepsake.folder, visit);
+}
+
+/// By name, by how its time begins, or by a word of its vessel, in files or on its label.
+std::vector<souvenir::NamedVisit> DeskAnswers::called(const std::string& typed) {
+  std::vector<souvenir::NamedVisit> found = kept_->called(typed);
+  if (!found.empty()) return found;
+  std::string in_files = typed;
+  std::transform(in_files.begin(), in_files.end(), in_files.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const souvenir::NamedVisit& one : kept_->visits) {
+    const std::string vessel = desk::vessel_of(one.visit);
+    if (desk::time_of(one.visit).starts_with(typed) ||
+        desk::in_words(vessel).find(in_files) != std::string::npos || titles_.has(vessel, typed))
+      found.push_back(one);
+  }
+  return found;
 }
 
 /// Ten thousand visits take a second to list, and all who ask wait for it.
@@ -127,7 +129,7 @@ web::Answer DeskAnswers::keepsakes(const web::Ask& ask) {
   const desk::Kept* kept = &*kept_;
   const souvenir::OpenPasses opened(folder);
   std::size_t listed = 0;
-  for (const souvenir::NamedVisit& one : name.empty() ? kept->visits : called(*kept, name)) {
+  for (const souvenir::NamedVisit& one : name.empty() ? kept->visits : called(name)) {
     if (!day.empty() && desk::day_of(one.visit) != day) continue;
     // Others could not be opened by their name.
     if (!is_visit(folder, one.visit)) continue;
@@ -138,6 +140,7 @@ web::Answer DeskAnswers::keepsakes(const web::Ask& ask) {
                                 {"time", desk::time_of(one.visit).substr(0, 5)},
                                 {"name", one.spoken.empty() ? "" : kept->said(one)},
                                 {"vessel", desk::in_words(desk::vessel_of(one.visit))},
+                                {"titles", titles_.json_of(desk::vessel_of(one.visit))},
                                 {"small", has(souvenir::kSmall)},
                                 {"turning", has(souvenir::kTurning)},
                                 {"sheet", has(souvenir::kSheet)},

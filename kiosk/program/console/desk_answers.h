@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "kiosk/ground/web/message.h"
 #include "kiosk/program/console/site.h"
+#include "kiosk/program/console/vessel_titles.h"
 #include "kiosk/program/desk/kept.h"
 
 namespace onggi::console {
@@ -19,9 +21,9 @@ namespace onggi::console {
 /// thread; blocks on the disk.
 class DeskAnswers {
  public:
-  /// `site` stays with the caller. `tell` gets what the staff should know of a file.
-  DeskAnswers(Site& site, std::function<void(const Problem&)> tell)
-      : site_(site), tell_(std::move(tell)) {}
+  /// `site` and `titles` stay with the caller. `tell` gets what the staff should know of a file.
+  DeskAnswers(Site& site, VesselTitles& titles, std::function<void(const Problem&)> tell)
+      : site_(site), titles_(titles), tell_(std::move(tell)) {}
 
   /// That keepsake is there.
   bool has(const std::string& visit);
@@ -39,7 +41,10 @@ class DeskAnswers {
  private:
   Result<void> list(const std::filesystem::path& folder);
 
+  std::vector<souvenir::NamedVisit> called(const std::string& typed);
+
   Site& site_;
+  VesselTitles& titles_;
   std::optional<desk::Kept> kept_;  ///< As listed when the folder had the stamp listed_.
   std::string listed_;
   std::function<void(const Problem&)> tell_;

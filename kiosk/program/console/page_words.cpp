@@ -1,5 +1,6 @@
 #include "kiosk/program/console/page_words.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -18,12 +19,20 @@ namespace {
 
 constexpr const char* kAddress = "/words";
 
+/// "ko", "pt-BR"
+bool is_code(const std::string& name) {
+  return name.size() >= 2 && name.size() <= 12 && std::ranges::all_of(name, [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
+         });
+}
+
 /// Each is a text, or, where it counts something, a text for each of the language's plural forms.
 bool are_words(const Parsed& table) {
   if (!table.is_object()) return false;
-  for (const Parsed& words : table) {
+  for (const auto& [english, words] : table.items()) {
     if (words.is_string()) continue;
-    if (!words.is_object() || !words.contains("other")) return false;
+    const bool counts = english.find("{count}") != std::string::npos;
+    if (!counts || !words.is_object() || !words.contains("other")) return false;
     for (const Parsed& form : words)
       if (!form.is_string()) return false;
   }
@@ -49,7 +58,7 @@ PageWords::PageWords(const fs::path& folder, std::vector<Problem>& remarks) {
   std::error_code gone;
   Parsed names = Parsed::object();
   for (fs::directory_iterator it(folder, gone), end; !gone && it != end; it.increment(gone)) {
-    if (it->path().extension() != ".toml") continue;
+    if (it->path().extension() != ".toml" || !is_code(it->path().stem().string())) continue;
     auto language = language_in(it->path());
     if (!language) {
       remarks.push_back(language.error());

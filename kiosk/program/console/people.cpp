@@ -153,6 +153,7 @@ Result<void> People::set(const std::string& name, Role role, const std::string& 
                    "Take 1 to 40 small letters, digits, '.', '-' or '_', a letter first: maria.k");
   std::string hash;
   const std::size_t letters = letters_of(passphrase);
+  static_assert(kShortest == 12 && kLongest == 128, "said below, and in each language of the page");
   if (letters >= kShortest && letters <= kLongest) {
     auto made = hash_of(passphrase);
     if (!made) return tl::unexpected(made.error());
@@ -165,10 +166,9 @@ Result<void> People::set(const std::string& name, Role role, const std::string& 
   const bool fresh = found == people->end();
   if ((fresh || !passphrase.empty()) && letters < kShortest)
     return problem("passphrase", "It is too short.",
-                   "Take " + std::to_string(kShortest) + " letters or more: a few words are good.");
+                   "Take 12 letters or more: a few words are good.");
   if (letters > kLongest)
-    return problem("passphrase", "It is too long.",
-                   "Take " + std::to_string(kLongest) + " letters at the most.");
+    return problem("passphrase", "It is too long.", "Take 128 letters at the most.");
   if (fresh && people->size() >= kMostPeople)
     return problem(name, "There are " + std::to_string(kMostPeople) + " people already.",
                    "Remove who has left.");

@@ -188,8 +188,10 @@ web::Answer StaffAnswers::enter(const web::Ask& ask) {
   const std::string name = words["name"];
   const std::int64_t now = parts_.clock();
   if (const std::int64_t wait = patience_.wait(name, ask.from, now); wait > 0) {
-    web::Answer later = refused(429, "That was wrong before.",
-                                "Wait " + std::to_string(wait) + " s, and try again.");
+    constexpr std::int64_t kMoment = 10;  // s
+    web::Answer later =
+        wait < kMoment ? refused(429, "That was wrong before.", "Wait a moment, and try again.")
+                       : refused(429, "That was wrong before.", "Wait a minute, and try again.");
     later.fields = {{"Retry-After", std::to_string(wait)}};
     return later;
   }
@@ -305,7 +307,7 @@ web::Answer StaffAnswers::post_people(const web::Ask& ask, const Session& sessio
   if (!role) return refused(409, "This is no role.", "Take desk or editor.");
   const auto before = parts_.people.role_now(name);
   if (before && words["add"] == "yes")
-    return refused(409, "There is a " + name + " already.",
+    return refused(409, "There is somebody of this name already.",
                    "Take another name, or choose Change beside that one.");
   if (auto set = parts_.people.set(name, *role, words["passphrase"]); !set)
     return refused(set.error());
@@ -405,6 +407,9 @@ web::Answer StaffAnswers::state(const web::Ask& ask, const Session& session) {
   out["who"] = session.who;
   out["role"] = name_of(session.role);
   out["title"] = parts_.site.title();
+  Json titles = Json::object();
+  for (const auto& [language, title] : exhibit.title) titles[language] = title;
+  out["titles"] = titles;
   out["credit"] = exhibit.credit;
   out["exhibit"] = parts_.site.file().string();
   out["keepsakes"] = folder.string();
@@ -425,7 +430,14 @@ web::Answer StaffAnswers::figures(const web::Ask& ask, bool picture) {
   if (!told)
     return refused(picture ? 404 : 409, {told.error().where, told.error().what,
                                          "If it is there, start onggi-console with sudo."});
-  if (!picture) return json(ask, store::json_of(**told).text(-1));
+  if (!picture) {
+    Json out = store::json_of(**told), titles = Json::object();
+    for (const auto& table : (*told)->tables)
+      if (table.name == "vessel")
+        for (const auto& line : table.lines) titles[line.name] = titles_.json_of(line.name);
+    out["titles"] = titles;
+    return json(ask, out.text(-1));
+  }
   const auto bytes = drawing::draw_plot(desk::plot_of(**told), "figures.svg");
   return {.status = 200,
           .type = "image/svg+xml",

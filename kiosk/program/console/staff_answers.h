@@ -26,6 +26,7 @@
 #include "kiosk/program/console/scene_answers.h"
 #include "kiosk/program/console/screen_answers.h"
 #include "kiosk/program/console/site.h"
+#include "kiosk/program/console/vessel_titles.h"
 
 namespace onggi::console {
 
@@ -99,7 +100,8 @@ class StaffAnswers final : public web::Answering {
   /// Refuses everything until open().
   explicit StaffAnswers(Parts parts)
       : parts_(std::move(parts)),
-        desk_(parts_.site, parts_.tell),
+        titles_(parts_.site),
+        desk_(parts_.site, titles_, parts_.tell),
         edit_(parts_.site, parts_.onggi, parts_.sheets, parts_.trial),
         scenes_(parts_.site, ScenePrices(parts_.onggi, parts_.prices)),
         scans_(parts_.site, ScanInbox(parts_.onggi, parts_.scans)),
@@ -153,6 +155,7 @@ class StaffAnswers final : public web::Answering {
                     const char* did, const std::string& what);
 
   Parts parts_;
+  VesselTitles titles_;
   DeskAnswers desk_;
   EditAnswers edit_;
   SceneAnswers scenes_;

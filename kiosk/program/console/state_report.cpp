@@ -50,9 +50,8 @@ Line silent_kiosk(const Known& k) {
             "Kiosk",
             Mood::wrong,
             {},
-            {"Start it: sudo systemctl start onggi. On a machine without that service: onggi run "
-             "--config {file}",
-             {{"file", {k.exhibit}}}}};
+            {"Start it: sudo systemctl start onggi. On a machine without that service: {command}",
+             {{"command", {"onggi run --config " + k.exhibit}}}}};
   if (!k.kiosk.state) {
     line.says = {{"The kiosk does not run, and has left no word here."}};
     return line;

@@ -16,24 +16,24 @@ const speech = { code: "en", names: {}, words: new Map() }; // names: of the oth
 let plurals = new Intl.PluralRules("en");
 /** In words from right to left, "12 GB" stays as it is by marks around it. */
 const isolated = (value) => (document.documentElement.dir === "rtl" ? `\u2068${value}\u2069` : value);
-const filled = (words, values) => words.replace(/\{(\w+)\}/g, (braces, name) => (name in values ? isolated(values[name]) : braces));
+const filled = (words, values) => words.replace(/\{(\w+)\}/g, (braces, name) => (Object.hasOwn(values, name) ? isolated(values[name]) : braces));
 /** `english` in the page's language, with `values` for what stands in braces. */
 const t = (english, values = {}) => filled(speech.words.get(english) ?? english, values);
 const listed = (names) => names.reduce((all, name) => (all ? t("{all}, {name}", { all, name }) : name), "");
-/** 12345 as people write it here. */
-const grouped = (number) => number.toLocaleString(speech.code + "-u-nu-latn");
+/** 12345.6 as people write it here; `how`: {useGrouping: false} for a number that somebody types again. */
+const numeral = (number, how = {}) => number.toLocaleString(speech.code + "-u-nu-latn", how);
 /** The same for a number of things; a language may have more forms than `one` and `many`. {count} is the number. */
 function tn(count, one, many, values = {}) {
   const forms = speech.words.get(many) ?? (count === 1 ? one : many);
-  return filled(typeof forms === "string" ? forms : forms[plurals.select(count)] ?? forms.other, { count: grouped(count), ...values });
+  return filled(typeof forms === "string" ? forms : forms[plurals.select(count)] ?? forms.other, { count: numeral(count), ...values });
 }
 /** What the kiosk's program said: in the page's language where that has it, else in English, and marked so. */
 const quoted = (words) => (speech.code === "en" || speech.words.has(words) ? t(words) : made("span", { lang: "en", dir: "ltr" }, words));
 
-/** Puts the page's words in place of the English ones in `root`. */
+/** Puts the page's words in place of the English ones in `root`, but not in place of people's names. */
 function translate(root) {
   if (speech.code === "en") return;
-  const texts = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+  const texts = document.createTreeWalker(root, NodeFilter.SHOW_TEXT, (node) => (node.parentElement.closest("[translate='no']") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT));
   while (texts.nextNode()) {
     const words = texts.currentNode.data.trim();
     if (words) texts.currentNode.data = texts.currentNode.data.replace(words, () => t(words));
@@ -45,11 +45,11 @@ function translate(root) {
 const learn = (words) => { for (const [english, own] of Object.entries(words)) speech.words.set(english, own); };
 // Late words are no reason to wait any longer: the page speaks English then.
 const wordsAt = (address) => fetch(address, { signal: AbortSignal.timeout(5000) }).then((answer) => answer.json());
-/** What was chosen in this browser; a browser may forbid to keep it. */
-function remembered(code) {
+/** What this browser keeps under `key`, for good ("localStorage") or until the window is closed. A browser may forbid it. */
+function kept(storage, key, value) {
   try {
-    if (code) localStorage.setItem("language", code);
-    return localStorage.getItem("language");
+    if (value !== undefined) window[storage].setItem(key, value);
+    return window[storage].getItem(key);
   } catch {
     return null;
   }
@@ -57,8 +57,9 @@ function remembered(code) {
 /** The language that somebody chose here, else the first of the browser's that there is. */
 async function speak() {
   speech.names = await wordsAt("/words");
-  const wanted = [remembered(), ...navigator.languages.map((one) => one.split("-")[0])];
-  const code = wanted.find((one) => one === "en" || one in speech.names) ?? "en";
+  offerLanguages();
+  const wanted = [kept("localStorage", "language"), ...navigator.languages.map((one) => one.split("-")[0])];
+  const code = wanted.find((one) => one === "en" || Object.hasOwn(speech.names, one)) ?? "en";
   if (code !== "en") {
     const language = await wordsAt("/words/" + code);
     learn(language.page);
@@ -68,12 +69,20 @@ async function speak() {
     document.title = t(document.title);
     translate(document.body);
   }
-  $("speak").replaceChildren(...Object.entries({ en: "English", ...speech.names }).map(([value, name]) => made("option", { value, lang: value }, name)));
   $("speak").value = code;
+}
+function offerLanguages() {
+  $("speak").replaceChildren(...Object.entries({ ...speech.names, en: "English" }).map(([value, name]) => made("option", { value, lang: value }, name)));
+  $("speak").value = "en";
   $("speak").hidden = $("speak").options.length < 2;
   $("speak").addEventListener("change", () => {
-    remembered($("speak").value);
-    location.reload();
+    const dirty = edits.find((one) => one.dirty);
+    if (!dirty) {
+      kept("localStorage", "language", $("speak").value);
+      return location.reload();
+    }
+    $("speak").value = speech.code;
+    dirty.say(saveFirst);
   });
 }
 const languageName = (code) => {
@@ -128,8 +137,10 @@ const trouble = (what, remedy, more = {}) => Object.assign(new Error(what), { re
 /** What the kiosk's program refused, and why. */
 const refusal = (said, more = {}) => trouble(said.what, said.remedy, { place: placeOf(said), theirs: true, ...more });
 function inWords({ place = "", message, remedy, theirs }) {
-  const say = theirs ? quoted : (words) => words;
-  return [made("strong", {}, place, say(message)), ...(remedy ? [" ", say(remedy)] : [])];
+  const known = (words) => !theirs || speech.code === "en" || speech.words.has(words), say = theirs ? quoted : (words) => words;
+  const words = (of) => [made("strong", {}, place, of(message)), ...(remedy ? [" ", of(remedy)] : [])];
+  // Both in English: they stand in its order, also on a page from right to left.
+  return known(message) || known(remedy) ? words(say) : [made("span", { lang: "en", dir: "ltr" }, ...words((english) => english))];
 }
 const faultWords = (found) => (found ? inWords(refusal(found)) : []);
 function tell(place, error) {
@@ -144,7 +155,7 @@ function lose(error) {
       made("a", { href: "/", target: "_blank", rel: "noopener" }, t("Sign in again in another window, then come back and save.")));
   }
   if (error.out) {
-    sessionStorage.setItem("why", t("You were signed out: half an hour passed, this program was started anew, or an editor changed your name, role or passphrase."));
+    kept("sessionStorage", "why", t("You were signed out: half an hour passed, this program was started anew, or an editor changed your name, role or passphrase."));
     return location.replace("/");
   }
   $("lost").hidden = false;

@@ -5,29 +5,25 @@ if (location.search.includes("code=")) {
   $("said").textContent = t("This code is not good any more: it opens once, and within an hour.");
   $("other").open = true;
 } else {
-  $("said").textContent = sessionStorage.getItem("why") || "";
+  $("said").textContent = kept("sessionStorage", "why") ?? "";
 }
-sessionStorage.removeItem("why");
+kept("sessionStorage", "why", "");
 
 $("enter").addEventListener("submit", async (event) => {
   event.preventDefault();
-  const body = JSON.stringify({ name: $("name").value.trim().toLowerCase(), passphrase: $("passphrase").value });
+  const body = { name: $("name").value.trim().toLowerCase(), passphrase: $("passphrase").value };
   $("said").textContent = "";
-  let answer, said;
   try {
-    answer = await fetch("/api/enter", { method: "POST", headers: { "Content-Type": "application/json" }, body });
-    said = await answer.json();
-  } catch {
-    $("said").textContent = t("The program behind this page does not answer.");
-    return;
+    await ask("/api/enter", body);
+    return location.replace("/");
+  } catch (error) {
+    $("said").replaceChildren(...inWords(error));
   }
-  if (answer.ok) return location.replace("/");
-  tell($("said"), refusal(said));
   $("passphrase").value = "";
   $("passphrase").focus();
 });
 // Not before: the browser itself would send the form, with the passphrase in the address.
-fetch("/api/door").then((answer) => answer.json()).then(({ names }) => {
+ask("/api/door").then(({ names }) => {
   $("enter").hidden = !names;
   if (!names) $("other").open = true;
-});
+}).catch((error) => $("said").replaceChildren(...inWords(error)));

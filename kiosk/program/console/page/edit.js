@@ -2,6 +2,7 @@
 "use strict";
 
 const saveFirst = t("Save your changes first, or forget them.");
+const RANGE = { useGrouping: false, maximumFractionDigits: 10 };
 const WAIT = 200; // ms after the last letter until it is checked
 
 /** "true_height_mm" as a label: "True height". */
@@ -217,13 +218,13 @@ async function outcome(number, place, words) {
   }
 }
 
-const since = (seconds) => (seconds > 0 ? ` (${seconds} s)` : "");
+const since = (seconds) => (seconds > 0 ? ` (${t("{seconds} s", { seconds })})` : "");
 
 const shown = (value) => value === undefined || value === null ? t("nothing") : typeof value === "object" && !Array.isArray(value) ? t("what stands there now") : Array.isArray(value) ? value.join(", ") : String(value);
 
 /**
  * A row of a form: the label, an input for the field's kind, what it does, what is allowed, and what is wrong with it.
- * `how`: {label, lines: of a longer text, lang, help, called: what a choice is called}.
+ * `how`: {label, labelIn: {lang, dir} of another language, lines: of a longer text, lang, help, called: what a choice is called}.
  */
 function fieldRow(edited, key, field, how = {}) {
   const id = "field-" + edited.name.replace(/\W/g, "-") + "-" + key.replace(/\W/g, "-");
@@ -252,7 +253,7 @@ function fieldRow(edited, key, field, how = {}) {
   fault.setAttribute("role", "alert");
   const called = how.label ?? t(asLabel(field.key)), words = how.help ?? t(sentence(field.words));
   const help = [words.replace(/[.。]$/, "") === called ? "" : words, how.allowed ?? allowedWords(field)].filter(Boolean).join(" ");
-  const label = made("label", { htmlFor: id }, called);
+  const label = made("label", { htmlFor: id, ...how.labelIn }, called);
   const color = (field.allowed ?? "").includes("#RRGGBB") ? colorBeside(input) : "";
   const unit = field.unit && field.kind !== "boolean" ? made("span", { className: "unit" }, t(field.unit)) : "";
   const row = made("div", { className: "field " + (field.kind === "boolean" ? "switch" : "") },
@@ -300,9 +301,12 @@ function colorBeside(input) {
   return choose;
 }
 
+/** "٠٫٧" and "０．７" are 0.7. */
+const westernDigits = (words) => words.replace(/[٠-٩]/g, (digit) => digit.charCodeAt(0) - 0x660).replace(/[０-９]/g, (digit) => digit.charCodeAt(0) - 0xff10).replace(/[٫．]/g, ".").replaceAll("：", ":");
 /** What was typed, as the file has it; null for nothing. What is no number goes as it is, to be told so. */
 function typed(words, field) {
   let text = words.trim();
+  if (["number", "whole", "list"].includes(field.kind) || field.table.startsWith("hours")) text = westernDigits(text);
   if (text === "") return null;
   if (["number", "whole"].includes(field.kind)) return /^-?(\d+([.,]\d*)?|[.,]\d+)$/.test(text) ? Number(text.replace(",", ".")) : text;
   if (/one line/.test(field.allowed)) text = text.replace(/\s*\n\s*/g, " ");
@@ -321,7 +325,7 @@ const sentence = (words) => {
 };
 function allowedWords(field) {
   if (field.kind === "boolean" || field.choices) return "";
-  if (field.least !== undefined) return t("{least} to {most}.", field);
+  if (field.least !== undefined) return t("{least} to {most}.", { least: numeral(field.least, RANGE), most: numeral(field.most, RANGE) });
   return field.allowed ? t(sentence(field.allowed)) : "";
 }
 

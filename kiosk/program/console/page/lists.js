@@ -13,6 +13,7 @@ const LIST_LABELS = {
   height_mm: t("The pot’s height"), mouth_mm: t("Its diameter at the rim"),
 };
 const KINDS = { today: t("Today’s vessel"), describe: t("A pot that is described"), eyes_closed: t("With eyes closed"), two_hands: t("Two at one wheel") };
+const UNTIL = { rim: t("the rim is smoothed") }; // as hands it is another word
 let listEdit = null;
 
 async function showLists() {
@@ -54,7 +55,7 @@ function drawList(edit) {
   const { table, title } = LISTS[edit.name], codes = [$("list-beside").dataset.first, $("list-beside").value];
   const fields = edit.fields.filter((field) => field.table === table), words = edit.fields.filter((field) => field.any_key);
   $("list-body").replaceChildren(...elementsOf(edit, table).map((one) => {
-    const key = `${table}.${one.id}`, of = (code) => edit.now(`${key}.${title}.${code}`), called = of(codes[0]) || of("en") || one.id.replaceAll("_", " ");
+    const key = `${table}.${one.id}`, of = (code) => edit.now(`${key}.${title}.${code}`), called = of(speech.code) || of(codes[0]) || of("en") || one.id.replaceAll("_", " ");
     const out = edit.changes.get(key) === null, remove = made("button", { type: "button", className: "quiet" }, out ? t("Keep it") : t("Take it out"));
     remove.setAttribute("aria-label", `${remove.textContent}: ${called}`);
     remove.addEventListener("click", () => {
@@ -74,7 +75,7 @@ function drawList(edit) {
         { label: `${LIST_LABELS[name] ?? t(asLabel(name))}, ${languageName(code)}`, lang: code, help: "", usual: "", lines: name === "about" || name === "words" ? 3 : 0 }));
     });
     const rows = plain.map((field) => {
-      const row = fieldRow(edit, `${key}.${field.key}`, field, { label: label(field), called: (choice) => KINDS[choice] ?? t(choice.replaceAll("_", " ")) });
+      const row = fieldRow(edit, `${key}.${field.key}`, field, { label: label(field), called: (choice) => (field.key === "until" && UNTIL[choice]) || KINDS[choice] || t(choice.replaceAll("_", " ")) });
       // Other figures belong to another kind.
       if (field.key === "kind") row.addEventListener("change", () => { edit.redraw(); $(row.querySelector("select").id).focus(); });
       return row;

@@ -36,9 +36,9 @@ async function openLook(edit) {
     const languages = of("languages") ?? ["en", "ko"], hidden = of("hidden") ?? [];
     const own = edit.name.startsWith("vessel/") ? edit.name.slice(7) : undefined; // which visitors need not see yet
     const seen = shelf.filter(({ id, unfinished }) => id === own || (!hidden.includes(id) && !unfinished));
-    const title = ({ id, titles }) => titles[languages[0]] || titles.en || id.replaceAll("_", " ");
+    const title = ({ id, titles }) => titles[speech.code] || titles[languages[0]] || titles.en || id.replaceAll("_", " ");
     chosen($("look-screen"), Object.entries(SCREENS), screenFor(edit));
-    chosen($("look-language"), languages.map((code) => [code, languageName(code)]), edit.name.startsWith("language/") ? edit.name.slice(9) : languages[0]);
+    chosen($("look-language"), languages.map((code) => [code, languageName(code)]), edit.name.startsWith("language/") ? edit.name.slice(9) : languages.includes(speech.code) ? speech.code : languages[0]);
     chosen($("look-vessel"), seen.map((vessel) => [vessel.id, title(vessel)]), own);
     chosen($("look-comfort"), [["", t("As every visit begins")], ...Object.entries(COMFORTS)], "");
     drawLook();

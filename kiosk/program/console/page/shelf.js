@@ -7,7 +7,7 @@ edits.push(shelfEdit);
 
 const titleOf = ({ id, titles }) => {
   const languages = shelfEdit.file?.values.languages ?? ["en"];
-  return titles[languages[0]] || titles.en || Object.values(titles)[0] || id.replaceAll("_", " ");
+  return titles[speech.code] || titles[languages[0]] || titles.en || Object.values(titles)[0] || id.replaceAll("_", " ");
 };
 
 const outlinePicture = ({ id }) => made("img", { src: "/outline/" + encodeURIComponent(id), alt: "", width: 56, height: 56, draggable: false });
@@ -128,7 +128,7 @@ function preview(edit, code) {
 }
 
 function drawLabel(edit) {
-  $("label-title").textContent = edit.was(`label.${(shelfEdit.file.values.languages ?? ["en"])[0]}.title`) || titleOf(labelVessel);
+  $("label-title").textContent = edit.was(`label.${speech.code}.title`) || edit.was(`label.${(shelfEdit.file.values.languages ?? ["en"])[0]}.title`) || titleOf(labelVessel);
   const languages = shelfEdit.file.values.languages ?? ["en", "ko"];
   const codes = [languages[0], $("label-beside").value];
   const fields = edit.fields.filter(({ table }) => table === "label.LANGUAGE");

@@ -19,7 +19,7 @@ function showLine(name, mood, says, remedy) {
 }
 /** A sentence of the program (Sentence): English with names in braces, and what stands for them. */
 function sentenceOf({ english, one, count, values }) {
-  const own = { object: sentenceOf, number: grouped, string: (name) => name };
+  const own = { object: sentenceOf, number: numeral, string: (name) => name };
   const inside = Object.fromEntries(Object.entries(values).map(([name, value]) => [name, own[typeof value](value)]));
   return one ? tn(count, one, english, inside) : t(english, inside);
 }
@@ -49,8 +49,9 @@ async function look() {
     $("lost").hidden = true;
     const first = state === null;
     state = said;
-    document.title = (said.mood === "wrong" ? "⚠ " : "") + said.title;
-    $("title").textContent = said.title;
+    const title = said.titles[speech.code] ?? said.title;
+    document.title = (said.mood === "wrong" ? "⚠ " : "") + title;
+    $("title").textContent = title;
     $("credit").textContent = said.credit;
     // What has not changed is not written again: a screen reader would begin anew.
     const lines = JSON.stringify(said.lines);
@@ -95,6 +96,8 @@ async function showPots(alone) {
   }
 }
 
+/** What its label calls it, else its name in files. */
+const vesselOf = ({ titles, vessel }) => titles[speech.code] ?? titles.en ?? Object.values(titles)[0] ?? vessel;
 function showPot(pot, withDay) {
   const picture = made("img", {
     src: `/keepsake/${pot.visit}/${pot.small ? "small" : "postcard"}.jpg`, alt: "", loading: "lazy", width: 200, height: 200,
@@ -102,7 +105,7 @@ function showPot(pot, withDay) {
   picture.addEventListener("error", () => { picture.style.visibility = "hidden"; });
   const button = made("button", { className: "pot" }, picture,
     made("span", { className: "name", dir: "auto" }, pot.name || t("(no name)")),
-    made("span", { className: "small" }, `${withDay ? pot.day + " " : ""}${pot.time}, ${pot.vessel}`));
+    made("span", { className: "small" }, `${withDay ? pot.day + " " : ""}${pot.time}, ${vesselOf(pot)}`));
   button.addEventListener("click", () => openPot(pot));
   return made("li", {}, button);
 }
@@ -111,7 +114,7 @@ let opened = null;
 function openPot(pot) {
   opened = pot;
   $("pot-title").textContent = pot.name || t("(no name)");
-  $("pot-facts").textContent = `${pot.vessel}, ${pot.day} ${pot.time}`;
+  $("pot-facts").textContent = `${vesselOf(pot)}, ${pot.day} ${pot.time}`;
   const files = ["postcard.jpg", ...(pot.turning ? ["turning.gif"] : []), ...(pot.sheet ? ["sheet.jpg"] : []),
     ...(pot.rollout ? ["rollout.jpg"] : [])];
   const what = { "postcard.jpg": t("The postcard"), "turning.gif": t("The pot, turning"), "sheet.jpg": t("The pot, drawn"), "rollout.jpg": t("The outside, unrolled") };
@@ -194,7 +197,8 @@ const NAMES = {
   choose: t("choosing a vessel"), clay: t("touching the clay"), throw: t("at the wheel"), result: t("the result"), kiln: t("the kiln"),
   decorate: t("decorating"), keepsake: t("the keepsake"), touch: t("touch"), mouse: t("mouse"), keys: t("keys"),
 };
-function nameIn(table, name) {
+function nameIn(table, name, titles) {
+  if (table === "vessel" && Object.hasOwn(titles ?? {}, name)) return vesselOf({ titles: titles[name], vessel: name.replaceAll("_", " ") });
   if (table === "language") return languageName(name);
   if (table === "hour") return name + (String(name).includes(":") ? "" : ":00");
   return NAMES[name] || String(name).replaceAll("_", " ");
@@ -209,7 +213,7 @@ function daysBefore(day, count) {
 /** What the figures tell, in sentences; null is not shown, because it would be about fewer than five people. */
 function figuresInWords({ from, to, visits, keepsakes, active_minutes, throwing_minutes, median_minutes, pots, fetched_by_phone, likeness, brief }) {
   if (from === undefined) return t("No visit has been counted here yet.");
-  const days = from ? t("From {from} to {to}:", { from, to }) : t("All days") + ":", number = (value) => value ?? "–";
+  const days = from ? t("From {from} to {to}:", { from, to }) : t("All days") + ":", number = (value) => (value === null ? "–" : numeral(value));
   if (visits === null) return `${days} ${t("fewer than five people played.")}`;
   if (visits === 0) return `${days} ${t("nobody played.")}`;
   return [days, tn(visits, "one person played.", "{count} people played."),
@@ -219,7 +223,7 @@ function figuresInWords({ from, to, visits, keepsakes, active_minutes, throwing_
     keepsakes === null ? t("How many pots they kept is not shown: fewer than five were kept, or all but so few.") : tn(keepsakes, "They kept one pot.", "They kept {count} pots."),
     fetched_by_phone === null ? t("How many were opened on a phone is not shown: it would be about fewer than five people.")
       : fetched_by_phone > 0 && tn(fetched_by_phone, "Phones opened one keepsake.", "Phones opened {count} keepsakes."),
-    likeness !== null && t("Their pots reached {points} of 100 points on average.", { points: likeness.toFixed(1) }),
+    likeness !== null && t("Their pots reached {points} of 100 points on average.", { points: numeral(likeness) }),
     brief === null ? t("Fewer than five more only touched the screen in passing.")
       : brief > 0 && tn(brief, "One more only touched the screen in passing.", "{count} more only touched the screen in passing."),
   ].filter(Boolean).join(" ");
@@ -235,11 +239,11 @@ async function showFigures() {
       made("table", {}, made("caption", {}, title),
         made("thead", {}, made("tr", {}, ...["", t("Visits"), t("Keepsakes"), t("Likeness")].map((head) => made("th", { scope: "col" }, head)))),
         made("tbody", {}, ...told.tables[key].map((line) => made("tr", {},
-          made("th", { scope: "row" }, nameIn(key, line.name)),
-          ...[line.visits, line.keepsakes, line.likeness].map((value) => made("td", {}, value === null ? "–" : String(value))))))));
+          made("th", { scope: "row" }, nameIn(key, line.name, told.titles)),
+          ...[line.visits, line.keepsakes, line.likeness].map((value) => made("td", {}, value === null ? "–" : numeral(value))))))));
     if (told.visits === 0) return $("figures-body").replaceChildren();
     $("figures-body").replaceChildren(
-      made("img", { className: "plot", src: "/figures.svg?" + query, alt: t("Visits by day, drawn. The same counts stand in the tables.") }),
+      made("img", { className: "plot", src: `/figures.svg?${query}&now=${Date.now()}`, alt: t("Visits by day, drawn. The same counts stand in the tables.") }),
       ...tables, made("p", { className: "small" }, t("–: nothing to tell, fewer than five, or left out so that nobody can be worked out from the rest.")));
   } catch (error) {
     $("figures-body").replaceChildren();
@@ -283,7 +287,7 @@ async function showPeople() {
     $("person-role").value = people.length === 0 ? "editor" : $("person-role").value;
     const changes = await ask("/api/changes");
     $("changes-list").replaceChildren(...changes.map(({ at, who, did, what }) =>
-      made("li", {}, `${new Date(at * 1000).toLocaleString(speech.code)}  ${who}  ${DID[did] ?? did}: ${what}`)));
+      made("li", {}, `${new Date(at * 1000).toLocaleString(speech.code)}  ${who}  ${DID[did] ?? did}: `, made("bdi", { dir: "ltr" }, what))));
   } catch (error) {
     tell($("people-words"), error);
   }
@@ -399,7 +403,7 @@ addEventListener("hashchange", () => { showPart(); $("content").focus({ preventS
 
 $("leave").addEventListener("click", async () => {
   try {
-    sessionStorage.removeItem("why");
+    kept("sessionStorage", "why", "");
     await ask("/api/leave", {});
   } finally {
     location.replace("/");

@@ -9,7 +9,7 @@ const GROUPS = {
   access: t("Read aloud"), hint: t("Hints at the wheel"), place: t("Places on the wall"), result: t("The result"), mission: t("Missions"),
   decorate: t("Decorating"), kiln: t("The kiln"), keepsake: t("The keepsake"), phone: t("On the phone"), gallery: t("Today’s pots"),
   postcard: t("The postcard"), sheet: t("The drawn sheet"), leaving: t("Leaving a pot"), idle: t("Are you still there?"), fault: t("When something fails"),
-  help: t("Help at the wheel"), comfort: t("Accessibility"), alike: t("What is alike"), plain: t("What to do next time"), remark: t("What to mend, in millimetres"),
+  help: t("Help"), comfort: t("Accessibility"), alike: t("What is alike"), plain: t("What to do next time"), remark: t("What to mend, in millimetres"),
   difference: t("What differs, in millimetres"), remark_part: t("What to mend, in parts"), difference_part: t("What differs, in parts"),
   part: t("Parts"), month: t("Months"), staff: t("For the staff"), opening: t("When the kiosk starts"),
 };
@@ -59,7 +59,7 @@ async function openWords() {
 function drawWords(edit) {
   const code = $("words-which").value, wanted = $("words-find").value.trim().toLowerCase();
   const key = (field) => `${field.table}.${field.key}`;
-  const row = (field) => fieldRow(edit, key(field), field, { label: field.words, lang: code, help: key(field).slice(5), usual: "", lines: field.words.length > 45 ? 2 : 0 });
+  const row = (field) => fieldRow(edit, key(field), field, { label: field.words, labelIn: { lang: "en", dir: "ltr" }, lang: code, help: key(field).slice(5), usual: "", lines: field.words.length > 45 ? 2 : 0 });
   if (wanted) {
     const found = edit.fields.filter((field) => [field.words, edit.now(key(field)) ?? "", key(field)].some((words) => words.toLowerCase().includes(wanted)));
     const count = found.length === 0 ? t("Nothing is called so.") : tn(found.length, "One text.", "{count} texts.");

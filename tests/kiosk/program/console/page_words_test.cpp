@@ -44,6 +44,7 @@ class PageWordsTest : public ::testing::Test {
 TEST_F(PageWordsTest, TellWhichLanguagesThereAreAndWhatTheySay) {
   write("ko.toml", kKorean);
   write("notes.txt", "no language");
+  write("b\xff\xfe.toml", kKorean);  // no name of a language, and no text either
   const PageWords words = read();
   EXPECT_TRUE(remarks_.empty());
   EXPECT_EQ(body(words, "/words"), R"({"ko":"한국어"})");
@@ -60,10 +61,13 @@ TEST_F(PageWordsTest, OfABrokenFileAreLeftOutAndItsPlaceIsTold) {
   write("ko.toml", kKorean);
   write("aa.toml", "name = ");
   write("bb.toml", "name = \"b\"\nright_to_left = false\n[page]\nx = 3\n[editors]\n");
-  write("cc.toml", "name = \"c\"\nright_to_left = false\n[page]\nx = { one = \"x\" }\n[editors]\n");
+  write("cc.toml",
+        "name = \"c\"\nright_to_left = false\n[page]\n\"{count}\" = { one = \"x\" }\n[editors]\n");
+  write("ee.toml",
+        "name = \"e\"\nright_to_left = false\n[page]\nGood = { other = \"x\" }\n[editors]\n");
   write("dd.toml", "name = \"d\"\n[page]\n[editors]\n");
   EXPECT_EQ(body(read(), "/words"), R"({"ko":"한국어"})");
-  ASSERT_EQ(remarks_.size(), 4u);
+  ASSERT_EQ(remarks_.size(), 5u);
   for (const Problem& remark : remarks_) {
     EXPECT_THAT(remark.where, HasSubstr(folder_.string()));
     EXPECT_FALSE(remark.remedy.empty());

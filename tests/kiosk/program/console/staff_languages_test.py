@@ -80,6 +80,49 @@ class StaffLanguages(staff_site.StaffSite):
             page.wait("!document.getElementById('speak').hidden", "the door")
             self.assertEqual(page.value("document.documentElement.lang"), "en")
 
+    def test_a_language_is_chosen_after_what_is_typed_is_saved(self):
+        with self.page(before=self.speaking("ko")) as page:
+            self.come_in(page, "settings")
+            page.wait("loaded && document.querySelector('#settings-fields input') !== null", "the form")
+            page.value("(() => { const e = document.querySelector('#settings-fields input'); e.value = 'Kim'; e.dispatchEvent(new Event('input')); })()")
+            page.value("(() => { const e = document.getElementById('speak'); e.value = 'de'; e.dispatchEvent(new Event('change')); })()")
+            self.assertEqual(page.value("[document.getElementById('speak').value, localStorage.getItem('language'), document.documentElement.lang]"), ["ko", None, "ko"])
+            self.assertEqual(self.text(page, "#settings-words"), page.value("saveFirst"))
+            self.assertEqual(page.value("document.querySelector('#settings-fields input').value"), "Kim")
+
+    def test_people_and_vessels_are_called_as_they_are(self):
+        with self.page(before=self.speaking("ko")) as page:
+            self.come_in(page, "people")
+            for field, value in (("name", "wire"), ("role", "editor"), ("passphrase", "the passphrase of wire")):
+                page.value(f"document.getElementById('person-{field}').value = {value!r}")
+            page.tap("#person button")
+            page.wait("document.querySelector('#people-list').innerText.includes('wire')", "somebody called as a tool is")
+            cookie = page.say("Network.getCookies")["cookies"][0]
+            with self.page(before=self.speaking("ko")) as again:  # its list is drawn before the words of editors come
+                again.say("Network.setCookie", name=cookie["name"], value=cookie["value"], url=self.at)
+                self.open(again, "people")
+                again.wait("typeof loaded !== 'undefined' && loaded && !!document.querySelector('#people-list h3')", "the list")
+                self.assertEqual(self.text(again, "#people-list h3"), "wire")
+            page.value("location.hash = '#desk'")
+            page.value("document.getElementById('day').value = ''; document.getElementById('name').value = '달항아리'")
+            page.tap("#find button")
+            page.wait("document.querySelectorAll('#pots li').length === 1", "the moon jar, by what its label calls it")
+            self.assertIn("달항아리", self.text(page, "#pots li"))
+
+    def test_where_nothing_answers_the_door_says_so(self):
+        before = self.speaking("ko") + "const real = window.fetch; window.fetch = (at, ...rest) => String(at) === '/api/door' ? Promise.reject(new Error('gone')) : real(at, ...rest);"
+        with self.page(before=before) as page:
+            page.go(self.at)
+            page.wait("document.getElementById('said').innerText !== ''", "why there is no door")
+            self.assertTrue(page.value("document.getElementById('enter').hidden"))
+
+    def test_a_fault_of_the_program_is_one_english_sentence_on_a_page_from_right_to_left(self):
+        with self.page(before=self.speaking("ar")) as page:
+            self.come_in(page, "settings")
+            page.wait("loaded", "the words of editors")
+            page.value("tell(document.getElementById('settings-words'), refusal({ what: 'It is odd.', remedy: 'Make it even.' }))")
+            self.assertEqual(page.value("document.querySelector('#settings-words > [lang=en][dir=ltr]').innerText"), "It is odd. Make it even.")
+
     def test_numbers_have_the_forms_of_their_language(self):
         with self.page(before=self.speaking("ar")) as page:
             self.come_in(page)

@@ -17,7 +17,9 @@ CONSOLE = ROOT / "kiosk/program/console"
 FOR_EVERYBODY = ("base", "staff", "door")  # of page/*.js; editors alone get the others
 TEXT = r'"((?:[^"\\]|\\.)*)"'
 LITERAL = TEXT + r"(?:\s*" + TEXT + ")*"  # as the formatter breaks it
-KEPT = {"cup_of_the_day", "sky_blue", "maria.k", "Onggi", "Kiosk:"}
+KEPT = {"maria.k"}  # the same in every language
+# Said by a machine that is broken, or to who starts the program.
+SELDOM = {"There is no memory to keep it safely.", "It gives no random numbers.", "This folder belongs to another user.", "This is nobody of the staff."}
 
 
 class Page(html.parser.HTMLParser):
@@ -71,9 +73,17 @@ def in_script(file):
 def in_program():
     """What the program says in fixed words."""
     for file in sorted(CONSOLE.glob("*.cpp")):
-        for found in re.finditer(r"\brefused\(\s*[^,;()]+,\s*(" + LITERAL + r")\s*,\s*(" + LITERAL + r")\s*\)", file.read_text()):
-            for text in re.findall(LITERAL_WHOLE, found[0]):
-                yield file, literal(text)
+        if file.stem in ("console_main", "page_words", "served_at", "state_report"):
+            continue  # they say it to a terminal; the last one follows
+        source = file.read_text()
+        # What is wrong, and what to do: refused(), problem(), failed().
+        texts = list(LITERAL_WHOLE.finditer(source))
+        for what, remedy in zip(texts, texts[1:]):
+            between, after = source[what.end():remedy.start()], source[remedy.end():remedy.end() + 1]
+            if re.fullmatch(r",\s*", between) and after in ",)" and re.match(r"[A-Z].* .*\.$", literal(what[0])) and literal(what[0]) not in SELDOM:
+                yield from ((file, literal(text[0])) for text in (what, remedy))
+        for found in re.finditer(r'"(?:what|remedy)", (' + LITERAL + ")", source):
+            yield file, literal(found[1])
     file = CONSOLE / "state_report.cpp"
     text = re.sub(r"^(#.*| *//.*|.*snprintf.*|.*local_time.*\"%.*)$", "", file.read_text(), flags=re.M)
     for found in re.finditer(r"counting\([^\"]+,\s*" + LITERAL + r",\s*(" + LITERAL + ")", text):
@@ -81,7 +91,7 @@ def in_program():
     text = re.sub(r"counting\(([^\"]+),\s*" + LITERAL + ",", r"(\1,", text)
     for found in re.finditer(LITERAL, text):
         words = literal(found[0])
-        if words[:1].isupper() or " " in words.strip():
+        if words == words.strip() and (words[:1].isupper() or " " in words):
             yield file, words
 
 
@@ -168,6 +178,8 @@ def texts(onggi):
     found = {}
 
     def note(text, editors):
+        if not text:
+            return
         found[text] = found.get(text, True) and editors
 
     for name in ("door", "staff"):
