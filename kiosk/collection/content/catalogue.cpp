@@ -216,11 +216,14 @@ void count_gaps(const Entry& entry, const LoadOptions& options,
   const std::string left = gaps == 0   ? "Nothing is missing."
                            : gaps == 1 ? "1 thing is missing."
                                        : std::to_string(gaps) + " things are missing.";
-  const std::string remove = "remove the line unfinished = true from its vessel.toml.";
-  check.notes.push_back(
-      {entry.path.string(), "This vessel is unfinished, so visitors do not see it. " + left,
-       gaps == 0 ? "To show it, " + remove
-                 : "onggi check " + entry.path.string() + " names them. Then " + remove});
+  const std::string remove =
+      "take the tick from Unfinished at its label on the staff's page, or remove the line "
+      "unfinished = true from its vessel.toml.";
+  check.notes.push_back({entry.path.string(),
+                         "This vessel is unfinished, so visitors do not see it. " + left,
+                         gaps == 0 ? "To show it, " + remove
+                                   : "Its label on the staff's page and onggi check " +
+                                         entry.path.string() + " name them. Then " + remove});
 }
 
 }  // namespace

@@ -184,6 +184,7 @@ std::optional<ChangeLog::Change> EditAnswers::ended(std::int64_t now) {
   }
   if (std::exchange(ending_trial_, false)) {
     trial_.end();
+    if (done) put_back_at_ = now;
     if (!done) trial_trouble_ = report.value("what", "") + ' ' + report.value("remedy", "");
   }
   if (!done) return std::nullopt;
@@ -207,7 +208,9 @@ Json EditAnswers::trial(std::int64_t now) const {
   if (trial_.now())
     return Json::object({{"left", std::max<std::int64_t>(trial_.now()->until - now, 0)},
                          {"what", trial_.now()->what}});
-  return trial_trouble_.empty() ? Json() : Json::object({{"trouble", trial_trouble_}});
+  if (!trial_trouble_.empty()) return Json::object({{"trouble", trial_trouble_}});
+  constexpr std::int64_t kTold = 60;  // s
+  return now - put_back_at_ < kTold ? Json::object({{"put_back", true}}) : Json();
 }
 
 web::Answer EditAnswers::end_trial(const web::Ask& ask, const std::string& act,
@@ -221,6 +224,7 @@ web::Answer EditAnswers::end_trial(const web::Ask& ask, const std::string& act,
   if (saver_.under_way()) return another_change();
   if (act == "back") return take_trial_back(now, who, ask.from);
   trial_.end();
+  put_back_at_ = kLongAgo;
   return json(Json::object());
 }
 

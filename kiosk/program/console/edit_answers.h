@@ -76,8 +76,10 @@ class EditAnswers {
   OnggiProcess saver_;
   VesselSheets sheets_;
   ChangeOnTrial trial_;
-  bool trying_ = false;        // the change under way is to be tried
-  bool ending_trial_ = false;  // it takes back the one that is tried
+  static constexpr std::int64_t kLongAgo = -1'000'000;
+  bool trying_ = false;                  // the change under way is to be tried
+  bool ending_trial_ = false;            // it takes back the one that is tried
+  std::int64_t put_back_at_ = kLongAgo;  ///< When the last trial was, s since 1970.
   std::string trial_trouble_;
   int number_ = 0;
   std::map<int, std::string> said_;  ///< By number.

@@ -247,6 +247,13 @@ bool EditedFile::is_offered(const changes::Change& change) const {
   });
 }
 
+bool EditedFile::is_unfinished_vessel(const std::string& text) const {
+  bool unfinished = false;
+  toml::TomlReader reader = toml::TomlReader::of_text(text, path_.string());
+  if (path_.filename() == "vessel.toml") reader.root().boolean("unfinished", unfinished);
+  return unfinished;
+}
+
 std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
                                                const std::string& text) const {
   if (draft.text == text) return {};
@@ -268,9 +275,12 @@ std::vector<ChangeFault> EditedFile::faults_of(const changes::Draft& draft,
     keys_by_line.emplace(changes::line_of_key(draft.text, path_.string(), value.key), value.key);
   const LineKeys lines(draft.text, path_.string());
   std::vector<ChangeFault> out;
+  const bool unfinished = is_unfinished_vessel(draft.text);
   for (const Problem& problem : after) {
     if (before.contains(name_of(problem))) continue;
     if (const std::string key = missing_key(lines, draft.text, problem); !key.empty()) {
+      // A label may be written in several goes; a title makes it one.
+      if (unfinished && !key.ends_with(".title")) continue;
       out.push_back({key, problem.what, "Write it here."});  // no line of the file: a field
       continue;
     }

@@ -63,6 +63,7 @@ class EditedFile {
   bool is_offered(const changes::Change& change) const;
   /// The key that is absent, by a `problem` that is told of its table or of none: "title.fr",
   /// "label.en.culture", "hours.every_day". "" of another problem.
+  bool is_unfinished_vessel(const std::string& text) const;
   std::string missing_key(const LineKeys& lines, const std::string& text,
                           const Problem& problem) const;
 

@@ -46,6 +46,16 @@ class Edited {
     }
     this.redraw();
   }
+  /** What became of the file meanwhile, by a change that was put back; whoever types goes on typing. */
+  async follow() {
+    const { id, selectionStart } = document.activeElement ?? {};
+    await this.load();
+    this.say("");
+    this.check();
+    if (!id || !$(id)) return;
+    $(id).focus({ preventScroll: true });
+    if (typeof selectionStart === "number") $(id).selectionStart = $(id).selectionEnd = selectionStart;
+  }
   /** Shows it anew, with what is known of its faults. */
   redraw() {
     this.rows.clear();
@@ -310,7 +320,8 @@ function typed(words, field) {
   if (text === "") return null;
   if (["number", "whole"].includes(field.kind)) return /^-?(\d+([.,]\d*)?|[.,]\d+)$/.test(text) ? Number(text.replace(",", ".")) : text;
   if (/one line/.test(field.allowed)) text = text.replace(/\s*\n\s*/g, " ");
-  if (field.table.startsWith("hours")) text = text.replace(/\s*[-–—]\s*/g, "-").replace(/\s*[，、،]\s*/g, ", ").replace(/(^|[-, ])(\d:)/g, "$10$2");
+  if (field.table.startsWith("hours")) text = (text.toLowerCase() === t("closed").toLowerCase() ? "closed" : text.replace(/\s*(uhr|h)\b/gi, "").replace(/(^|[-–—,\s])(\d{1,2})(?=\s*([-–—,]|$))/g, "$1$2:00"))
+    .replace(/\s*[-–—]\s*/g, "-").replace(/\s*[，、،]\s*/g, ", ").replace(/(^|[-, ])(\d:)/g, "$10$2");
   if (field.kind === "texts") return text.split(/[,，、،]/).map((one) => one.trim()).filter(Boolean);
   if (field.kind === "list") return text.startsWith("[") ? text : `[${text}]`;
   return text;

@@ -124,7 +124,8 @@ function exceptions() {
     add.click();
   });
   add.addEventListener("click", () => {
-    const name = day.value.trim(), good = /^(\d{4}-)?\d\d-\d\d$/.test(name);
+    // 24.12.2026 and 24.12. are dates, too.
+    const name = westernDigits(day.value.trim()).replace(/^(\d\d?)\.\s*(\d\d?)\.\s*(\d{4})?$/, (_, on, month, year) => [year, month.padStart(2, "0"), on.padStart(2, "0")].filter(Boolean).join("-")), good = /^(\d{4}-)?\d\d-\d\d$/.test(name);
     wrong.textContent = good ? "" : t("Write year, month and day (2026-12-24), or month and day (12-24).");
     if (!good || days.has(name)) return day.focus();
     days.add(name);

@@ -16,7 +16,7 @@ function drawShelf() {
   const place = ({ id }) => (order.includes(id) ? order.indexOf(id) : order.length);
   const sorted = [...vessels].sort((a, b) => place(a) - place(b) || (a.id < b.id ? -1 : 1));
   $("shelf-list").replaceChildren(...sorted.map((vessel) => {
-    const title = titleOf(vessel), box = made("input", { type: "checkbox", checked: !hidden.includes(vessel.id), id: "seen-" + vessel.id });
+    const title = titleOf(vessel), box = made("input", { type: "checkbox", checked: !hidden.includes(vessel.id), id: "seen-" + vessel.id, disabled: vessel.unfinished });
     box.addEventListener("change", () => {
       const now = shelfEdit.now("hidden") ?? [];
       shelfEdit.want("hidden", box.checked ? now.filter((id) => id !== vessel.id) : [...now, vessel.id]);
@@ -142,14 +142,19 @@ function drawLabel(edit) {
   }));
   const about = Object.keys(ABOUT).map((key) => edit.fields.find((field) => field.table === "" && field.key === key)).filter(Boolean);
   $("label-about").replaceChildren(...about.map((field) => fieldRow(edit, field.key, field, { label: ABOUT[field.key], help: "", lines: { source: 4, credit: 2, licence: 2, institution: 2, glazes: 2 }[field.key] ?? 0 })));
-  // What a whole label has besides.
+  showGaps(edit);
+}
+/** What a whole label has besides, said at its fields until something is typed there. */
+function showGaps(edit) {
   for (const { key, what } of edit.file.gaps ?? []) {
     const row = document.getElementById(`field-${edit.name.replace(/\W/g, "-")}-${key.replace(/\W/g, "-")}-said`);
-    if (row && !edit.changes.has(key)) row.replaceChildren(made("strong", { className: "gap" }, gapWords(key, what)), " ", row.textContent);
+    row?.querySelector(".gap")?.remove();
+    if (row && (edit.changes.get(key) ?? null) === null) row.prepend(made("strong", { className: "gap" }, gapWords(key, what), " "));
   }
-  const gaps = languages.filter((code) => !edit.now(`label.${code}.title`));
+  const gaps = (shelfEdit.file.values.languages ?? ["en"]).filter((code) => !edit.now(`label.${code}.title`));
   $("label-gaps").textContent = gaps.length === 0 ? "" : t("Still without a label: {languages}.", { languages: listed(gaps.map(languageName)) });
 }
+$("label-form").addEventListener("input", () => { if (labelEdit?.file) showGaps(labelEdit); });
 /** What is still to be written, said at its field. */
 function gapWords(key, what) {
   const words = atItsField({ key, what, remedy: "" })[0].replace(/^./, (first) => first.toUpperCase());

@@ -36,11 +36,13 @@ let tried = false;
 function showTrial(trial) {
   $("trial").hidden = !trial;
   if (trial?.trouble) $("trial-what").replaceChildren(made("strong", {}, t("A change that was tried could not be put back.")), " ", trial.trouble, " ", t("Under Settings it can be taken back."));
-  else if (trial) $("trial-what").replaceChildren(made("strong", {}, t("Tried for another {time}.", { time: `${Math.floor(trial.left / 60)}:${String(trial.left % 60).padStart(2, "0")}` })), " ", trial.what);
-  $("trial-back").hidden = trial?.trouble !== undefined;
-  // It was put back: what is shown is not so any more.
-  if (tried && !trial && loaded) for (const one of edits) if (one.file && !one.dirty) one.load().catch(() => {});
-  tried = Boolean(trial);
+  else if (trial?.left !== undefined) $("trial-what").replaceChildren(made("strong", {}, t("Tried for another {time}.", { time: `${Math.floor(trial.left / 60)}:${String(trial.left % 60).padStart(2, "0")}` })), " ", trial.what);
+  if (trial?.put_back) $("trial-what").replaceChildren(t("The change that was tried has been put back."));
+  $("trial-back").hidden = trial?.left === undefined;
+  $("trial-keep").hidden = trial?.put_back === true;
+  // It is over: what is shown may not be so any more.
+  if (tried && trial?.left === undefined && loaded) for (const one of edits) if (one.file) one.follow().catch(() => {});
+  tried = trial?.left !== undefined;
 }
 
 async function look() {

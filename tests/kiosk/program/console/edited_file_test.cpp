@@ -101,6 +101,18 @@ TEST_F(Editing, WhatAnUnfinishedVesselLacksIsSaidAtItsFieldsWhenVisitorsShallSee
   }
 }
 
+TEST_F(Editing, ALabelOfAnUnfinishedVesselMayBeHalfWritten) {
+  constexpr const char* kHalf = R"([["label.ko.culture", null], ["label.ko.made", null]])";
+  EXPECT_FALSE(faults("vessel/moon_jar", kHalf).empty()) << "visitors would see it";
+  folder_.by_hand("content/vessels/moon_jar/vessel.toml", "true_height_mm",
+                  "unfinished = true\ntrue_height_mm");
+  EXPECT_TRUE(faults("vessel/moon_jar", kHalf).empty());
+  // Without a title it is no label.
+  const auto bare = faults("vessel/moon_jar", R"([["label.ko.title", null]])");
+  ASSERT_EQ(bare.size(), 1u);
+  EXPECT_EQ(bare[0].key, "label.ko.title");
+}
+
 TEST_F(Editing, WhereFilesLieOnTheMachineIsNotChangedHere) {
   for (const char* key : {"shelf", "rubric", "keepsake.folder", "reader.file_mb", "phone.address",
                           "vessel_scenes.moon_jar", "missions"}) {

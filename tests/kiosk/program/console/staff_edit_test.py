@@ -348,11 +348,25 @@ class StaffEdit(staff_site.StaffSite):
                 page.wait("!document.getElementById('trial').hidden && document.getElementById('trial-what').innerText.includes('another 4:')", "how long")
                 self.looked_at(page, "trial")
                 page.tap("#trial-" + button)
-                page.wait("document.getElementById('trial').hidden", button, PATIENCE)
+                page.wait("document.getElementById('trial').hidden" if button == "keep" else
+                          "document.getElementById('trial-what').innerText === 'The change that was tried has been put back.'", button, PATIENCE)
                 if button == "back":
                     page.wait("document.getElementById('field-exhibit-idle-warn_after').value === '60'", "as before", PATIENCE)
                     self.assertEqual(self.exhibit.read_text(), before)
             self.assertEqual(self.values()["idle"]["warn_after"], 100)
+            # What is typed while something is tried is saved when that is over, and nobody is blamed.
+            self.type(page, "idle-warn_after", "120")
+            page.wait("!document.querySelector('#settings-save + [value=try]').disabled", "it can be tried")
+            page.tap("#settings-save + [value=try]")
+            page.wait("!document.getElementById('trial-back').hidden && !document.getElementById('trial').hidden", "tried", PATIENCE)
+            self.type(page, "idle-countdown", "40")
+            page.tap("#settings-save")
+            page.wait("document.getElementById('settings-words').innerText.startsWith('A change is being tried')", "not now", PATIENCE)
+            page.tap("#trial-back")
+            page.wait("document.getElementById('trial-back').hidden && document.getElementById('settings-words').innerText === ''", "over", PATIENCE)
+            self.assertEqual(page.value("document.getElementById('field-exhibit-idle-countdown').value"), "40")
+            self.save(page, "settings")
+            self.assertEqual((self.values()["idle"]["warn_after"], self.values()["idle"]["countdown"]), (100, 40))
 
     def test_the_desk_changes_nothing(self):
         with self.page() as page:
