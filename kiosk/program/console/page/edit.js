@@ -278,8 +278,8 @@ function fieldRow(edited, key, field, how = {}) {
       input.focus({ preventScroll: true });
     },
     fault(found, conflict) {
-      const [what, remedy] = found ? atItsField(found) : ["", ""];
-      if (`${what} ${remedy}` !== fault.dataset.told) fault.replaceChildren(...(found ? inWords({ message: what, remedy, theirs: true }) : []));
+      const [what, remedy] = found ? atItsField(found) : ["", ""], own = ownWords(what);
+      if (`${what} ${remedy}` !== fault.dataset.told) fault.replaceChildren(...(!found ? [] : own ? inWords({ message: own }) : inWords({ message: what, remedy, theirs: true })));
       fault.dataset.told = `${what} ${remedy}`;
       if (found) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
@@ -293,6 +293,25 @@ function fieldRow(edited, key, field, how = {}) {
 function atItsField({ key, what, remedy }) {
   for (const name of [key, key.split(".").pop()]) if (what.startsWith(name + " ")) what = "This" + what.slice(name.length);
   return [what, remedy.replace(", without quotes", "")];
+}
+
+/** The faults that people make most, which the program puts together of figures: what they are, and what may be, in a sentence. */
+const COMMON_FAULTS = [
+  [/^This is (?<value>.+), but the smallest allowed value is (?<least>.+)\.$/, t("{value} is too little: at least {least}.")],
+  [/^This is (?<value>.+), but the largest allowed value is (?<most>.+)\.$/, t("{value} is too much: at most {most}.")],
+  [/^"(?<value>.*)" is not a (whole )?number\.$/, t("“{value}” is no number.")],
+  [/^This has (?<count>\d+) letters, but there is room for only (?<most>\d+)\.$/, t("{count} letters are too many: at most {most}. A Chinese, Japanese or Korean letter may count as two.")],
+  [/^This is "(?<value>.*)", which cannot be read as opening hours\.$/, t("“{value}” cannot be read as opening hours.")],
+  [/^This is empty\.$/, t("This is empty.")],
+  [/^This is missing\.$/, t("This is missing.")],
+];
+function ownWords(what) {
+  if (speech.code === "en") return "";
+  for (const [fault, words] of COMMON_FAULTS) {
+    const found = what.match(fault);
+    if (found) return filled(words, found.groups ?? {});
+  }
+  return "";
 }
 
 /** A colour to choose beside the one that is typed. */

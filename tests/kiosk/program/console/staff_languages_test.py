@@ -123,6 +123,18 @@ class StaffLanguages(staff_site.StaffSite):
             page.value("tell(document.getElementById('settings-words'), refusal({ what: 'It is odd.', remedy: 'Make it even.' }))")
             self.assertEqual(page.value("document.querySelector('#settings-words > [lang=en][dir=ltr]').innerText"), "It is odd. Make it even.")
 
+    def test_common_faults_are_said_in_the_pages_language(self):
+        words = staff_words.tomllib.loads((staff_site.ROOT / "content/staff/ko.toml").read_text())["editors"]
+        with self.page(before=self.speaking("ko")) as page:
+            self.come_in(page, "settings")
+            page.wait("loaded && document.getElementById('field-exhibit-idle-warn_after') !== null", "the form")
+            for typed, key, values in (("5", "{value} is too little: at least {least}.", {"value": "5 s", "least": "20 s"}),
+                                       ("9999", "{value} is too much: at most {most}.", {"value": "9999 s", "most": "3600 s"}),
+                                       ("soon", "“{value}” is no number.", {"value": "soon"})):
+                page.value(f"(() => {{ const e = document.getElementById('field-exhibit-idle-warn_after'); e.value = {typed!r}; e.dispatchEvent(new Event('input')); }})()")
+                wanted = words[key].format(**values)
+                page.wait(f"document.getElementById('field-exhibit-idle-warn_after-fault').innerText === {wanted!r}", wanted)
+
     def test_numbers_have_the_forms_of_their_language(self):
         with self.page(before=self.speaking("ar")) as page:
             self.come_in(page)
