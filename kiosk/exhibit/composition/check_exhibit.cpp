@@ -228,6 +228,11 @@ void check_toml(CheckReport& report, const fs::path& file,
       return check_language(report, file);
     case FileKind::names:
       return check_names(report, file, languages);
+    case FileKind::staff_page:
+      report.files.push_back(file);
+      report.notes.push_back({file.string(), "These are words of the staff's page.",
+                              "onggi-console says at its start what is wrong with them."});
+      return;
     case FileKind::vessel:
       check_vessels(report, file.has_parent_path() ? file.parent_path() : fs::path("."), languages);
       return;

@@ -37,6 +37,7 @@ FileKind kind_of_toml(const fs::path& file) {
         return kind.id == file.stem().string();
       }))
     return FileKind::device;
+  if (has("page") && has("editors")) return FileKind::staff_page;
   if (has("text") && has("code")) return FileKind::language;  // it may also have [glaze.ID]
   if (file.filename() == "vessel.toml" || has("label")) return FileKind::vessel;
   if (has("outer") || has("inner")) return FileKind::drawing;

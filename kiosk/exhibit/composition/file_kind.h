@@ -19,7 +19,8 @@ enum class FileKind : std::uint8_t {
   glazes,
   names,
   lesson,
-  missions
+  missions,
+  staff_page  ///< What the staff's page says in another language.
 };
 
 /// The kind of `file`, by keys that one kind alone has, and by its folder. An exhibit where nothing

@@ -41,6 +41,7 @@ const fields::FieldList* fields_of(exhibit::FileKind kind) {
     case FileKind::decoration:
     case FileKind::way:
     case FileKind::names:
+    case FileKind::staff_page:
       return nullptr;
   }
   return nullptr;

@@ -30,6 +30,14 @@ CheckReport check_with(const std::string& lists) {
   return *check_path((folder / "config/exhibit.toml").string());
 }
 
+TEST(CheckExhibit, WordsOfTheStaffsPageAreNoExhibit) {
+  const auto report = check_path("content/staff/ko.toml");
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->problems.empty());
+  ASSERT_EQ(report->notes.size(), 1u);
+  EXPECT_EQ(report->notes[0].what, "These are words of the staff's page.");
+}
+
 TEST(CheckExhibit, ANameInTheListsOfTheShelfThatIsNotThereIsToldWithTheNearestOne) {
   const CheckReport report =
       check_with("hidden = [\"tea_bowl\", \"lekytos\"]\norder = [\"maebyeong\", \"amfora\"]\n");

@@ -114,6 +114,8 @@ TEST(Words, AnApostropheIsNoStraightOneInAnyTextThatAVisitorReads) {
   int files = 0;
   for (const auto& file : std::filesystem::recursive_directory_iterator("content")) {
     if (file.path().extension() != ".toml") continue;
+    // Its keys are the sources' English, and no visitor reads it.
+    if (file.path().parent_path() == "content/staff") continue;
     ++files;
     std::ifstream in(file.path());
     for (std::string line; std::getline(in, line);) {
