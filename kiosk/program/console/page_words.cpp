@@ -56,6 +56,10 @@ Result<Parsed> language_in(const fs::path& file) {
 
 PageWords::PageWords(const fs::path& folder, std::vector<Problem>& remarks) {
   std::error_code gone;
+  if (!fs::is_directory(folder, gone))
+    remarks.push_back({folder.empty() ? "content/staff" : folder.string(),
+                       "The staff's page speaks English alone: its other languages are not here.",
+                       "Put this folder of the program back.", 1});
   Parsed names = Parsed::object();
   for (fs::directory_iterator it(folder, gone), end; !gone && it != end; it.increment(gone)) {
     if (it->path().extension() != ".toml" || !is_code(it->path().stem().string())) continue;

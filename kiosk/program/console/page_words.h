@@ -18,8 +18,8 @@ namespace onggi::console {
 class PageWords {
  public:
   PageWords() = default;
-  /// Every language in `folder`; none where it is not there. What is wrong with a file goes to
-  /// `remarks`, and the page speaks that language no more.
+  /// Every language in `folder`; none where it is not there, which `remarks` say. What is wrong
+  /// with a file goes there, too, and the page speaks that language no more.
   PageWords(const std::filesystem::path& folder, std::vector<Problem>& remarks);
   /// Beside or above the program `onggi_console`, in the build folder or where it is installed; "":
   /// nowhere.

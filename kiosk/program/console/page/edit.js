@@ -418,7 +418,6 @@ for (const act of ["keep", "back"])
       const said = await outcome(begun.number, $("trial-words"), t("Looking at the whole exhibit, then putting it back…"));
       if (!said.done) tell($("trial-words"), refusal(said));
       else $("trial-words").replaceChildren();
-      for (const one of edits) if (one.file && !one.dirty) one.load().catch(() => {});
     } catch (error) {
       tell($("trial-words"), error);
     } finally {

@@ -221,7 +221,7 @@ function figuresInWords({ from, to, visits, keepsakes, active_minutes, throwing_
   return [days, tn(visits, "one person played.", "{count} people played."),
     t("Half of them played for more than {minutes} minutes.", { minutes: number(median_minutes) }),
     t("All together they played for {minutes} minutes, {wheel} of them at the wheel.", { minutes: number(active_minutes), wheel: number(throwing_minutes) }),
-    tn(pots ?? 0, "They began one pot.", "They began {count} pots."),
+    pots !== null && tn(pots, "They began one pot.", "They began {count} pots."),
     keepsakes === null ? t("How many pots they kept is not shown: fewer than five were kept, or all but so few.") : tn(keepsakes, "They kept one pot.", "They kept {count} pots."),
     fetched_by_phone === null ? t("How many were opened on a phone is not shown: it would be about fewer than five people.")
       : fetched_by_phone > 0 && tn(fetched_by_phone, "Phones opened one keepsake.", "Phones opened {count} keepsakes."),

@@ -74,10 +74,12 @@ TEST_F(PageWordsTest, OfABrokenFileAreLeftOutAndItsPlaceIsTold) {
   }
 }
 
-TEST_F(PageWordsTest, OfAFolderThatIsNotThereAreNone) {
+TEST_F(PageWordsTest, OfAFolderThatIsNotThereAreNoneAndThatIsTold) {
   std::filesystem::remove_all(folder_);
   EXPECT_EQ(body(read(), "/words"), "{}");
-  EXPECT_TRUE(remarks_.empty());
+  ASSERT_EQ(remarks_.size(), 1u);
+  EXPECT_EQ(remarks_[0].where, folder_.string());
+  EXPECT_THAT(remarks_[0].what, HasSubstr("English alone"));
 }
 
 TEST_F(PageWordsTest, LieBesideTheProgramOrAboveIt) {

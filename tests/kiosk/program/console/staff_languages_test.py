@@ -123,6 +123,15 @@ class StaffLanguages(staff_site.StaffSite):
             page.value("tell(document.getElementById('settings-words'), refusal({ what: 'It is odd.', remedy: 'Make it even.' }))")
             self.assertEqual(page.value("document.querySelector('#settings-words > [lang=en][dir=ltr]').innerText"), "It is odd. Make it even.")
 
+    def test_hours_and_numbers_are_taken_as_people_write_them(self):
+        hours, number = "{ kind: 'text', table: 'hours', allowed: '' }", "{ kind: 'number', table: 'idle', allowed: '' }"
+        with self.page(before=self.speaking("de")) as page:
+            self.come_in(page, "settings")
+            page.wait("typeof loaded !== 'undefined' && loaded", "the forms")
+            for words, field, wanted in (("10-18 Uhr", hours, "10:00-18:00"), ("9:00 – 12:30, 14-18", hours, "09:00-12:30, 14:00-18:00"), ("Geschlossen", hours, "closed"),
+                                         ("closed", hours, "closed"), ("١٠:٠٠-١٨:٠٠", hours, "10:00-18:00"), ("٠٫٧", number, 0.7), ("0,7", number, 0.7), ("soon", number, "soon")):
+                self.assertEqual(page.value(f"typed({words!r}, {field})"), wanted)
+
     def test_common_faults_are_said_in_the_pages_language(self):
         words = staff_words.tomllib.loads((staff_site.ROOT / "content/staff/ko.toml").read_text())["editors"]
         with self.page(before=self.speaking("ko")) as page:
